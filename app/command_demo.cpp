@@ -1,5 +1,7 @@
+#include "app/arguments/update_options.h"
 #include "app/commands.h"
 #include "app/files/files.h"
+#include "app/initial_model.h"
 #include "app/updating.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"

@@ -5,6 +5,7 @@
 
 #include "app/arguments/surface_options.h"
 #include "app/arguments/thresholds.h"
+#include "app/arguments/update_options.h"
 #include "app/commands.h"
 #include "app/files/carried_properties.h"
 #include "app/files/files.h"
@@ -17,7 +18,6 @@
 #include "app/shapes/make_manifold.h"
 #include "app/shapes/open_surface.h"
 #include "app/shapes/thin_cloud.h"
-#include "app/updating.h"
 #include "cocone/reconstruct.h"
 #include "cocone/robust_cocone.h"
 #include "geom/mesh_check.h"

@@ -1,21 +1,21 @@
 #include <fmt/format.h>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "app/arguments/update_options.h"
 #include "app/commands.h"
 #include "app/console/interrupt.h"
 #include "app/files/carried_properties.h"
 #include "app/files/files.h"
-#include "app/files/model_file.h"
 #include "app/files/pending_clouds.h"
 #include "app/files/session_file.h"
+#include "app/initial_model.h"
 #include "app/resumed_session.h"
 #include "app/shapes/cloud_filter.h"
-#include "app/shapes/densify.h"
 #include "app/updating.h"
 #include "geom/errors.h"
-#include "geom/mesh_check.h"
 #include "geom/search/equal_points.h"
 #include "io/lock_file.h"
 
@@ -33,6 +33,12 @@ void refuse_model_as_cloud(const UpdateInput& input) {
   }
 }
 
+void filter_input(Job& job, const CloudFilter& filter, UpdateInput& input) {
+  std::span<VertexProperties> properties = input.properties;
+  if (!properties.empty()) properties = properties.subspan(1);  // behind those of the model
+  input.strays = filter_clouds(job, filter, input.cloud_names, input.clouds, properties);
+}
+
 // From which point of a cloud each of its file is (empty: they are the same) to its vertex.
 void follow(const IdVector<PointId, VertexId>& vertex_of_point,
             IdVector<VertexId, VertexId>& of_file) {
@@ -45,6 +51,40 @@ void follow(const IdVector<PointId, VertexId>& vertex_of_point,
   }
 }
 
+// The vertex of each of the points, also of those that are equal to another.
+IdVector<PointId, VertexId> vertices_of(Points points, const ReconstructResult& surface) {
+  IdVector<PointId, VertexId> vertex_of_point(points.size());
+  for (const VertexId v : surface.point_of_vertex.ids()) {
+    vertex_of_point[surface.point_of_vertex[v]] = v;
+  }
+  for (const RepeatedPoint& repeated : repeated_points(points)) {
+    vertex_of_point[PointId(repeated.point)] = vertex_of_point[PointId(repeated.first)];
+  }
+  return vertex_of_point;
+}
+
+// A model given as points, with their properties.
+void reconstruct(Job& job, const ReconstructOptions& options, ModelInput& model,
+                 UpdateInput& input) {
+  ReconstructResult initial = initial_model(job, model, options);
+  if (!input.properties.empty()) {
+    std::vector<RowOrigin> origins;
+    for (const PointId point : initial.point_of_vertex) origins.push_back({0, point.index()});
+    input.properties[0] = select_rows(input.properties[0], origins);
+  }
+  const IdVector<PointId, VertexId> vertex_of_point =
+      vertices_of(model.mesh.points.span(), initial);
+  if (model.dense) {
+    for (const PointId p : model.dense->point_of_vertex) {
+      input.vertex_of_file.push_back(vertex_of_point[p]);
+    }
+  } else {
+    input.vertex_of_file = std::move(model.vertex_of_file);
+    follow(vertex_of_point, input.vertex_of_file);
+  }
+  input.model = std::move(initial.mesh);
+}
+
 // The model and the clouds; a model given as points, or made dense, is reconstructed.
 UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& options, Job& job) {
   UpdateInput input;
@@ -53,47 +93,18 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
     return input.properties.empty() ? nullptr : &input.properties[i];
   };
   input.model_name = arguments.model;
-  DensifiedMesh dense;
-  if (arguments.densify) {
-    dense = read_densified(job, arguments.model, *arguments.densify);
-    input.model.points = IdVector<VertexId, Point>(dense.points);
-  } else {
-    ModelFile file = read_model(job, arguments.model, "input", properties_of(0));
-    input.model = std::move(file.mesh);
-    input.vertex_of_file = std::move(file.vertex_of);
-    orient_model(job, arguments.model, "input", input.model);
-  }
+  ModelInput model = read_model_input(job, arguments.model, arguments.densify, properties_of(0));
   for (const std::string& cloud : arguments.clouds) {
     input.cloud_names.push_back(cloud);
     input.clouds.push_back(
         read_cloud(job, cloud, "input", properties_of(input.cloud_names.size())));
   }
-  if (!input.model.triangles.empty()) return input;
-
-  ReconstructResult initial = initial_model(job, arguments.model, input.model.points.raw(),
-                                            dense.labels, options.reconstruct);
-  if (arguments.densify) {
-    warn_of_handles(job, arguments.model, dense, mesh_check(initial.mesh, {}, job.execution()));
-  }
-  if (!input.properties.empty()) {
-    std::vector<RowOrigin> origins;
-    for (const PointId point : initial.point_of_vertex) origins.push_back({0, point.index()});
-    input.properties[0] = select_rows(input.properties[0], origins);
-  }
-  IdVector<PointId, VertexId> vertex_of_point(input.model.points.size());
-  for (const VertexId v : initial.point_of_vertex.ids()) {
-    vertex_of_point[initial.point_of_vertex[v]] = v;
-  }
-  for (const RepeatedPoint& repeated : repeated_points(input.model.points.span())) {
-    vertex_of_point[PointId(repeated.point)] = vertex_of_point[PointId(repeated.first)];
-  }
-  if (arguments.densify) {
-    for (const PointId p : dense.point_of_vertex)
-      input.vertex_of_file.push_back(vertex_of_point[p]);
+  if (model.mesh.triangles.empty()) {
+    reconstruct(job, options.reconstruct, model, input);
   } else {
-    follow(vertex_of_point, input.vertex_of_file);
+    input.model = std::move(model.mesh);
+    input.vertex_of_file = std::move(model.vertex_of_file);
   }
-  input.model = std::move(initial.mesh);
   return input;
 }
 
@@ -116,7 +127,7 @@ void update_session(const UpdateArguments& arguments, const CloudFilter& filter,
     input.clouds.push_back(read_cloud(job, cloud, "input"));
   }
   refuse_model_as_cloud(input);
-  filter_clouds(job, filter, input);
+  filter_input(job, filter, input);
   UpdateOptions options = session.options();
   options.overrides = region_overrides(arguments);
   update_and_write(
@@ -151,7 +162,7 @@ void run(const UpdateArguments& arguments, Job& job) {
   options.overrides = region_overrides(arguments);
   UpdateInput input = read_input(arguments, options, job);
   refuse_model_as_cloud(input);
-  filter_clouds(job, filter, input);
+  filter_input(job, filter, input);
   update_and_write(
       job, input, options,
       {arguments.mesh, arguments.map, arguments.html, arguments.writing, arguments.manifold});

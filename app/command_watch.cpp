@@ -12,16 +12,17 @@
 #include <utility>
 #include <vector>
 
+#include "app/arguments/update_options.h"
 #include "app/commands.h"
 #include "app/console/interrupt.h"
 #include "app/console/standard_streams.h"
 #include "app/files/files.h"
 #include "app/files/pending_clouds.h"
 #include "app/report/findings.h"
+#include "app/report/update_findings.h"
 #include "app/report/update_report.h"
 #include "app/shapes/cloud_filter.h"
 #include "app/shapes/thin_cloud.h"
-#include "app/updating.h"
 #include "app/watch/dropped_clouds.h"
 #include "app/watch/folder_watch.h"
 #include "app/watch/watch_notes.h"
@@ -102,7 +103,7 @@ class Watch {
     job_.report().set("watch/applied", applied_);
     job_.report().set("watch/refused", refused);
     job_.report().set("watch/known", known_.size());
-    add_filter(job_.report(), filter_, thinned_);
+    add_cloud_filter(job_.report(), filter_, thinned_);
     add_update_parameters(job_.report(), options_);
     add_model(job_.report(), session_.session().reconstruction(), session_.model(),
               mesh_check(session_.model(), {}, job_.execution()));

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "app/arguments/update_options.h"
 #include "app/files/pending_clouds.h"
-#include "app/updating.h"
 #include "geom/errors.h"
 
 namespace cocoon::app {

@@ -3,23 +3,18 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "app/arguments/surface_options.h"
+#include "app/arguments/update_options.h"
 #include "app/files/carried_properties.h"
-#include "app/files/files.h"
-#include "app/report/findings.h"
 #include "app/report/html_report.h"
-#include "app/report/reconstruct_report.h"
 #include "app/report/surface_report.h"
+#include "app/report/update_findings.h"
 #include "app/report/update_report.h"
 #include "app/report/verification.h"
 #include "app/shapes/make_manifold.h"
-#include "app/shapes/thin_cloud.h"
-#include "cocone/checks/surface_doubts.h"
 #include "geom/errors.h"
 #include "geom/mesh_check.h"
 #include "geom/messages/counted.h"
 #include "geom/messages/place_name.h"
-#include "geom/search/equal_points.h"
 #include "geom/search/nearest_point.h"
 #include "geom/signed_distance.h"
 #include "io/atomic_file.h"
@@ -149,177 +144,13 @@ void add_surface_of(const UpdateSession& session, UpdateResult& result) {
   result.replacement.points.assign(session.points().begin(), session.points().end());
 }
 
-}  // namespace
-
-UpdateOptions update_options(const SurfaceArguments& arguments) {
-  UpdateOptions options = arguments.mode == Mode::paper ? paper_update_options() : UpdateOptions();
-  options.cloud.reconstruct = surface_options(arguments, options.cloud.reconstruct);
-  if (arguments.rho) {
-    options.cloud.start.rho = *arguments.rho;
-    options.cloud.finer.clear();
-    options.cloud.coarser.clear();
-  }
-  if (arguments.alpha_deg) {
-    options.cloud.start.alpha_cosine = options.cloud.reconstruct.boundary.alpha_cosine;
-  }
-  SurfaceArguments closed = arguments;
-  closed.rho.reset();
-  options.reconstruct = surface_options(closed, options.reconstruct);
-  return options;
-}
-
-RegionOverrides region_overrides(const UpdateArguments& arguments) {
-  RegionOverrides overrides;
-  for (const std::uint32_t r : arguments.replaced_groups) overrides.replaced.emplace_back(r);
-  for (const std::uint32_t r : arguments.kept_groups) overrides.kept.emplace_back(r);
-  return overrides;
-}
-
-namespace {
-
-// Points that the model leaves out are no part of what is updated: nobody else would tell.
-void warn_of_unused(Job& job, const std::string& name, const ReconstructResult& model,
-                    Points points) {
-  MeshReport certificate;
-  for (const Finding& finding : findings_of_update(model, points, NoiseFilter::no_option, {},
-                                                   job.execution(), certificate)) {
-    if (finding.kind == "unused") job.warn(fmt::format("{}: {}", name, finding.message));
-  }
-}
-
-void add_initial_model(JsonReport& report, const ReconstructResult& model, std::size_t triangles) {
-  report.set("initial_model/points", model.points);
-  report.set("initial_model/duplicates", model.duplicates);
-  report.set("initial_model/unused_points", model.unused_points);
-  report.set("initial_model/triangles", triangles);
-}
-
-}  // namespace
-
-ReconstructResult initial_model(Job& job, const std::string& name, const std::vector<Point>& points,
-                                const KnownLabelsSource& known, const ReconstructOptions& options) {
-  ReconstructResult result =
-      run_step(job.execution(), "initial_model", [&](const Execution& nested) {
-        return naming_input(
-            name, [&] { return reconstruct_tight_with_labels(points, known, options, nested); });
-      });
-  require_surface(job, name, result, points, options, remedies_of_model());
-  add_initial_model(job.report(), result, result.mesh.triangles.size());
-  if (result.unused_points > 0) warn_of_unused(job, name, result, points);
-  return result;
-}
-
-std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points points,
-                                        NoiseFilter filter, const OptionsLeft& left,
-                                        const Execution& execution, MeshReport& certificate) {
-  SurfaceDoubts doubts = surface_doubts(surface, points, {.place_handles = false}, execution);
-  certificate = doubts.certificate;
-  doubts.gap_samples = 0;
-  doubts.unsurrounded_samples = doubts.conflicts = 0;
-  return findings_of(doubts, surface.points - surface.duplicates, filter, {.noise_alone = true},
-                     left);
-}
-
-NoiseFilter noise_filter_of_update(bool filtered) {
-  return filtered ? NoiseFilter::no_option : NoiseFilter::of_strays;
-}
-
-bool is_model_itself(const std::vector<Point>& cloud, const TriangleMesh& model) {
-  if (cloud.size() < model.points.size()) return false;
-  const std::vector<Point> samples = distinct_points(cloud);
-  const std::vector<Point> vertices = distinct_points(model.points.span());
-  return std::includes(samples.begin(), samples.end(), vertices.begin(), vertices.end());
-}
-
-void add_filter(JsonReport& report, const CloudFilter& filter, std::size_t thinned_points) {
-  add_thinning(report, filter.thin, thinned_points);
-  if (filter.strays) add_cloud_filter(report, *filter.strays);
-}
-
-void add_update_parameters(JsonReport& report, const UpdateOptions& options) {
-  add_parameters(report, options.cloud.reconstruct);
-  add_parameters(report, options.reconstruct, "model");
-}
-
-void filter_clouds(Job& job, const CloudFilter& filter, UpdateInput& input) {
-  std::size_t thinned = 0;
-  for (std::size_t c = 0; c < input.clouds.size(); ++c) {
-    thinned += thin_input(job, input.cloud_names[c], filter.thin, input.clouds[c],
-                          input.properties.empty() ? nullptr : &input.properties[1 + c]);
-  }
-  add_filter(job.report(), filter, thinned);
-  if (!filter.strays) return;
-  for (std::size_t c = 0; c < input.clouds.size(); ++c) {
-    const std::string& name = input.cloud_names[c];
-    const StraySamples& strays = input.strays.emplace_back(
-        leave_out_strays(name, input.clouds[c], *filter.strays, job.execution()));
-    append_strays(job.report(), strays, input.clouds[c].size());
-    job.say("noise: {}: {} left out", name, told_strays(strays));
-    if (input.properties.empty()) continue;
-    VertexProperties& properties = input.properties[1 + c];
-    properties = select_properties(properties, strays.kept.raw());
-  }
-}
-
-std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
-                                                const std::vector<std::string>& names,
-                                                const DensityOptions& options) {
-  std::vector<std::string> notes;
-  for (std::size_t c = 0; c < result.clouds.size(); ++c) {
-    const CloudSurface& surface = result.clouds[c].surface;
-    const SpacingRange& range = surface.spacing;
-    if (!range.is_uneven(options.min_ratio)) continue;
-    const char* what = surface.set_aside > 0
-                           ? "few of the dense ones were looked at to find its rim"
-                           : "one limit of distance does not fit both";
-    notes.push_back(
-        fmt::format("{}: samples are {:.2g} apart in some places and {:.2g} in others, and {}; if "
-                    "something is wrong, try --thin {:.2g}",
-                    names[c], range.low, range.high, what, range.high));
-  }
-  return notes;
-}
-
-std::string with_cloud_names(const std::string& message, const std::vector<std::string>& names) {
-  std::vector<std::string> numbered;
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    numbered.push_back(fmt::format("cloud {} of {}", c + 1, names.size()));
-  }
-  std::string named;
-  for (std::size_t at = 0; at < message.size();) {
-    // None begins with another: they end with the same words behind different numbers.
-    const auto found = std::find_if(
-        numbered.begin(), numbered.end(),
-        [&](const std::string& cloud) { return message.compare(at, cloud.size(), cloud) == 0; });
-    if (found == numbered.end()) {
-      named += message[at++];
-    } else {
-      named += names[static_cast<std::size_t>(found - numbered.begin())];
-      at += found->size();
-    }
-  }
-  return named;
-}
-
+// The program has an option for what this message advises.
 std::string with_option_names(std::string message) {
   const std::string said = "say which of them goes";
   const std::size_t at = message.find(said);
   if (at != std::string::npos) message.insert(at + said.size(), " by --replace-groups");
   return message;
 }
-
-void begin_session(Job& job, const std::string& name, const std::vector<Point>& points,
-                   const KnownLabelsSource& known, const UpdateOptions& options,
-                   std::optional<UpdateSession>& session) {
-  run_step(job.execution(), "initial_model", [&](const Execution& nested) {
-    naming_input(name, [&] { session.emplace(points, options, nested, known); });
-  });
-  require_surface(job, name, session->reconstruction(), points, options.reconstruct,
-                  remedies_of_model());
-  add_initial_model(job.report(), session->reconstruction(), session->model().triangles.size());
-}
-
-namespace {
 
 void add_overrides(JsonReport& report, const RegionOverrides& overrides) {
   const auto add = [&](const char* path, const std::vector<RegionId>& regions) {

@@ -53,6 +53,11 @@ std::optional<std::vector<CloudSizes>> next_sizes(SummedReader& file, bool count
   return sizes;
 }
 
+// The name of all of them but K.
+std::string pending_cloud_prefix(const std::string& session) {
+  return follow_links(session).string() + ".cloud-";
+}
+
 PendingUpdate load_update(const fs::path& path, std::span<const std::string> notes) {
   SummedReader file(path, magic, "cloud of a session");
   const auto damaged = [&] {
@@ -96,10 +101,6 @@ PendingUpdate load_update(const fs::path& path, std::span<const std::string> not
 }
 
 }  // namespace
-
-std::string pending_cloud_prefix(const std::string& session) {
-  return follow_links(session).string() + ".cloud-";
-}
 
 std::string pending_cloud_file(const std::string& session, std::size_t notes) {
   return fmt::format("{}{}", pending_cloud_prefix(session), notes);

@@ -41,8 +41,7 @@ struct PendingUpdate {
 };
 
 // Its name: SESSION.cloud-K, where SESSION is the file behind all symbolic links: who takes it up
-// by another name must find the clouds. The prefix is all but K.
-std::string pending_cloud_prefix(const std::string& session);
+// by another name must find the clouds.
 std::string pending_cloud_file(const std::string& session, std::size_t notes);
 
 // Whether this is the name of one, whatever K: digits and nothing else. The folder must be spelled

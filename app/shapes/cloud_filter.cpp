@@ -1,10 +1,13 @@
 #include "app/shapes/cloud_filter.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 
 #include "app/files/files.h"
+#include "app/shapes/thin_cloud.h"
 #include "geom/messages/counted.h"
+#include "geom/search/equal_points.h"
 
 namespace cocoon::app {
 
@@ -35,8 +38,9 @@ CloudFilter cloud_filter(const CloudFilterArguments& arguments) {
 
 StageOptions cloud_filter_defaults() { return stages_of({}); }
 
-void add_cloud_filter(JsonReport& report, const StrayOptions& options) {
-  add_thresholds(report, ThresholdUse::outliers, stages_of(options));
+void add_cloud_filter(JsonReport& report, const CloudFilter& filter, std::size_t thinned_points) {
+  add_thinning(report, filter.thin, thinned_points);
+  if (filter.strays) add_thresholds(report, ThresholdUse::outliers, stages_of(*filter.strays));
 }
 
 void append_strays(JsonReport& report, const StraySamples& strays, std::size_t kept_points) {
@@ -70,6 +74,35 @@ StraySamples leave_out_strays(const std::string& name, std::vector<Point>& cloud
   }
   cloud = std::move(kept);
   return strays;
+}
+
+std::vector<StraySamples> filter_clouds(Job& job, const CloudFilter& filter,
+                                        const std::vector<std::string>& names,
+                                        std::vector<std::vector<Point>>& clouds,
+                                        std::span<VertexProperties> properties) {
+  std::size_t thinned = 0;
+  for (std::size_t c = 0; c < clouds.size(); ++c) {
+    thinned += thin_input(job, names[c], filter.thin, clouds[c],
+                          properties.empty() ? nullptr : &properties[c]);
+  }
+  add_cloud_filter(job.report(), filter, thinned);
+  std::vector<StraySamples> all;
+  if (!filter.strays) return all;
+  for (std::size_t c = 0; c < clouds.size(); ++c) {
+    const StraySamples& strays =
+        all.emplace_back(leave_out_strays(names[c], clouds[c], *filter.strays, job.execution()));
+    append_strays(job.report(), strays, clouds[c].size());
+    job.say("noise: {}: {} left out", names[c], told_strays(strays));
+    if (!properties.empty()) properties[c] = select_properties(properties[c], strays.kept.raw());
+  }
+  return all;
+}
+
+bool is_model_itself(const std::vector<Point>& cloud, const TriangleMesh& model) {
+  if (cloud.size() < model.points.size()) return false;
+  const std::vector<Point> samples = distinct_points(cloud);
+  const std::vector<Point> vertices = distinct_points(model.points.span());
+  return std::includes(samples.begin(), samples.end(), vertices.begin(), vertices.end());
 }
 
 }  // namespace cocoon::app

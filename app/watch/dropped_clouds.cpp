@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 #include <numeric>
 
+#include "app/report/update_findings.h"
 #include "app/report/update_report.h"
-#include "app/updating.h"
 #include "geom/messages/counted.h"
 
 namespace cocoon::app {

@@ -5,13 +5,10 @@
 #include <utility>
 
 #include "app/console/interrupt.h"
-#include "app/files/model_file.h"
 #include "app/files/session_file.h"
-#include "app/shapes/densify.h"
-#include "app/updating.h"
+#include "app/initial_model.h"
 #include "app/watch/watch_notes.h"
 #include "geom/errors.h"
-#include "geom/mesh_check.h"
 #include "geom/messages/counted.h"
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
@@ -31,7 +28,8 @@ bool WatchedSession::begin() {
     resume(first_note);
     return false;
   }
-  const bool is_new = begin_with_model();
+  const bool is_new = begin_session(
+      job_, read_model_input(job_, arguments_.model, arguments_.densify), options_, state_.session);
   state_.notes = {first_note};
   remove_pending_clouds(file_);  // of a session that somebody removed
   save_whole();
@@ -63,27 +61,6 @@ void WatchedSession::resume(const std::string& first_note) {
     line += fmt::format(", {} refused that will not be tried again", noted.refused);
   }
   job_.say("{}", line);
-}
-
-// Whether it was made from points.
-bool WatchedSession::begin_with_model() {
-  DensifiedMesh dense;
-  if (arguments_.densify) {
-    dense = read_densified(job_, arguments_.model, *arguments_.densify);
-  } else {
-    TriangleMesh mesh = read_model(job_, arguments_.model, "input").mesh;
-    if (!mesh.triangles.empty()) {
-      orient_model(job_, arguments_.model, "input", mesh);
-      state_.session.emplace(std::move(mesh), options_);
-      return false;
-    }
-    dense.points = std::move(mesh.points).raw();
-  }
-  begin_session(job_, arguments_.model, dense.points, dense.labels, options_, state_.session);
-  if (arguments_.densify) {
-    warn_of_handles(job_, arguments_.model, dense, mesh_check(model(), {}, job_.execution()));
-  }
-  return true;
 }
 
 // Session and mesh together. The session is put in place first: should the program be killed

@@ -45,7 +45,6 @@ class WatchedSession {
 
  private:
   void resume(const std::string& first_note);
-  bool begin_with_model();
   void save_whole();
 
   const WatchArguments& arguments_;

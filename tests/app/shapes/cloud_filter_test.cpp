@@ -57,5 +57,16 @@ TEST(CloudFilter, StraysAreTakenOutAndTheOrderStays) {
   }
 }
 
+TEST(CloudFilter, AModelIsTheCloudsThatHaveAllItsVertices) {
+  TriangleMesh model;
+  model.points = IdVector<VertexId, Point>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  std::vector<Point> cloud = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+  EXPECT_FALSE(is_model_itself(cloud, model));
+  cloud.push_back({0, 0, 0.5});
+  EXPECT_FALSE(is_model_itself(cloud, model));
+  cloud.push_back({0, 0, 0});
+  EXPECT_TRUE(is_model_itself(cloud, model));
+}
+
 }  // namespace
 }  // namespace cocoon::app

@@ -1,4 +1,4 @@
-#include "app/updating.h"
+#include "app/report/update_findings.h"
 
 #include <cstddef>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace cocoon::app {
 namespace {
 
-TEST(Updating, MessagesNameAllCloudsByTheirFiles) {
+TEST(UpdateFindings, MessagesNameAllCloudsByTheirFiles) {
   const std::vector<std::string> names = {"left.xyz", "top.xyz", "right.xyz"};
   const std::vector<std::size_t> joined = {0, 1, 2};
   EXPECT_EQ(with_cloud_names(name_of_clouds(joined, 3) + " does not lie on the model", names),
@@ -19,17 +19,6 @@ TEST(Updating, MessagesNameAllCloudsByTheirFiles) {
   EXPECT_EQ(with_cloud_names("nothing is wrong", names), "nothing is wrong");
   EXPECT_EQ(with_cloud_names("cloud 1 of 2 and cloud 2 of 2", {"cloud 2 of 2.xyz", "a.xyz"}),
             "cloud 2 of 2.xyz and a.xyz");
-}
-
-TEST(Updating, AModelIsTheCloudsThatHaveAllItsVertices) {
-  TriangleMesh model;
-  model.points = IdVector<VertexId, Point>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-  std::vector<Point> cloud = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-  EXPECT_FALSE(is_model_itself(cloud, model));
-  cloud.push_back({0, 0, 0.5});
-  EXPECT_FALSE(is_model_itself(cloud, model));
-  cloud.push_back({0, 0, 0});
-  EXPECT_TRUE(is_model_itself(cloud, model));
 }
 
 }  // namespace
