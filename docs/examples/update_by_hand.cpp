@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "cocone/boundary_loops.h"
 #include "cocone/reconstruct.h"
 #include "docs/examples/bump.h"
 #include "update/choose_regions.h"
@@ -25,6 +26,8 @@ int main() {
   // 3.2: the open surface of the cloud, and the loop along which it ends.
   const cocoon::CloudSurface surface = cocoon::cloud_surface(clouds[0]);
   const std::vector<cocoon::CloudRim> rims = {surface.rim};
+  std::printf("%zu loop of the surface, %zu of its rim\n",
+              cocoon::boundary_loops(surface.mesh).rims(), surface.rim.loops.size());
 
   // 3.3: the facets of the model under the rim, joined to a closed band.
   const cocoon::Overlap overlap = cocoon::overlapping_facets(index, rims[0]);

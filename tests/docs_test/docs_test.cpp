@@ -1,10 +1,9 @@
-// What the documents name exists: files behind links, files and folders in code marks, commands and
-// options of the program in the README and the tutorial, options of stages with their defaults.
-#include <cstdlib>
+// What the documents name exists: files and headings behind links, files and folders in code marks,
+// functions in headers, tests, commands and options of the program in the README and the tutorial.
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -12,37 +11,15 @@
 #include <string>
 #include <vector>
 
+#include "tests/docs_test/documents.h"
 #include "tests/run_program.h"
 
+namespace cocoon::test {
 namespace {
 
 namespace fs = std::filesystem;
-using cocoon::test::content_of;
-using cocoon::test::run_program;
 
 const fs::path root = COCOON_SOURCE_DIR;
-
-std::vector<fs::path> documents() {
-  std::vector<fs::path> result;
-  for (const auto& entry : fs::directory_iterator(root)) result.push_back(entry.path());
-  for (const char* folder : {"docs", "bench", "ref"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-      result.push_back(entry.path());
-    }
-  }
-  std::erase_if(result, [](const fs::path& path) { return path.extension() != ".md"; });
-  return result;
-}
-
-// All texts that the group of `pattern` matches.
-std::set<std::string> matches(const std::string& text, const std::string& pattern) {
-  const std::regex regex(pattern);
-  std::set<std::string> result;
-  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it) {
-    result.insert((*it)[1]);
-  }
-  return result;
-}
 
 TEST(Documents, AreThere) {
   EXPECT_GE(documents().size(), 8U);
@@ -66,6 +43,119 @@ TEST(Documents, LinksLeadToFiles) {
   EXPECT_GT(links, 100U);
 }
 
+// As GitHub makes it of a heading: lower case, hyphens for spaces, no other punctuation.
+std::string slug_of(const std::string& heading) {
+  std::string slug;
+  for (const char c : heading) {
+    const auto letter = static_cast<unsigned char>(c);
+    if (std::isalnum(letter) != 0 || c == '_' || c == '-' || letter >= 128) {
+      slug += static_cast<char>(std::tolower(letter));
+    }
+    if (c == ' ') slug += '-';
+  }
+  return slug;
+}
+
+TEST(Documents, LinksLeadToHeadings) {
+  std::map<fs::path, std::set<std::string>> anchors;
+  for (const fs::path& document : documents()) {
+    const std::string text = text_of(document);
+    std::set<std::string>& own = anchors[document.lexically_normal()];
+    own = matches(text, "<a id=\"([^\"]+)\">");
+    for (const std::string& heading : matches(text, "\n#+ ([^\n]+)")) own.insert(slug_of(heading));
+  }
+  std::size_t links = 0;
+  for (const fs::path& document : documents()) {
+    const std::regex pattern("\\]\\(([^)#:]*)#([^)]+)\\)");
+    const std::string text = text_of(document);
+    for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {
+      const std::string target = (*it)[1];
+      const fs::path to =
+          target.empty() ? document : (document.parent_path() / target).lexically_normal();
+      EXPECT_TRUE(anchors[to].contains((*it)[2])) << document << " -> " << (*it)[0];
+      ++links;
+    }
+  }
+  EXPECT_GT(links, 60U);
+}
+
+TEST(Documents, EachPageIsLinkedFromAnother) {
+  std::set<fs::path> linked;
+  for (const fs::path& document : documents()) {
+    for (const std::string& target : matches(text_of(document), "\\]\\(([^)#:]+\\.md)")) {
+      const fs::path to = (document.parent_path() / target).lexically_normal();
+      if (to != document.lexically_normal()) linked.insert(to);
+    }
+  }
+  for (const fs::path& document : documents()) {
+    if (document.parent_path() == root) continue;
+    EXPECT_TRUE(linked.contains(document.lexically_normal())) << document;
+  }
+}
+
+// A header or source without its comments.
+std::string code_of(const fs::path& path) {
+  return std::regex_replace(text_of(path), std::regex("//[^\n]*"), "");
+}
+
+// "`f`, `g` in `folder/file.h`".
+TEST(Documents, NamesAreInTheHeadersThatAreNamedWithThem) {
+  const std::regex pattern(
+      "((?:`[A-Za-z_:]+`(?:,\\s+|\\s+and\\s+))*`[A-Za-z_:]+`)\\s+in\\s+`([a-z_/]+\\.h)`");
+  std::size_t names = 0;
+  for (const fs::path& document : documents()) {
+    const std::string text = text_of(document);
+    for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {
+      const std::string header = code_of(root / std::string((*it)[2]));
+      for (const std::string& name : matches((*it)[1], "`(?:[A-Za-z]+::)?([A-Za-z_]+)`")) {
+        EXPECT_TRUE(has_word(header, name)) << document << ": " << name << " in " << (*it)[2];
+        ++names;
+      }
+    }
+  }
+  EXPECT_GT(names, 150U);
+}
+
+// Names of tests by their suites.
+std::map<std::string, std::set<std::string>> all_tests() {
+  std::map<std::string, std::set<std::string>> tests;
+  const std::regex pattern("\nTEST(?:_F|_P)?\\(([A-Za-z0-9]+),\\s*([A-Za-z0-9]+)\\)");
+  for (const auto& entry : fs::recursive_directory_iterator(root / "tests")) {
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string text = text_of(entry.path());
+    for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {
+      tests[(*it)[1]].insert((*it)[2]);
+    }
+  }
+  return tests;
+}
+
+// "`Suite.Test`", "`Suite.*`"; in the table of situations of docs/update.md also "`Test`", of the
+// suite before it.
+TEST(Documents, NamedTestsExist) {
+  const std::map<std::string, std::set<std::string>> tests = all_tests();
+  const std::regex pattern("`(?:([A-Z][A-Za-z0-9]+)\\.)?(\\*|[A-Z][A-Za-z0-9]+)`");
+  std::size_t named = 0;
+  for (const fs::path& document : documents()) {
+    std::istringstream text(text_of(document));
+    bool is_situation = false;
+    for (std::string line; std::getline(text, line);) {
+      is_situation = line.starts_with("| situation |") || (is_situation && line.starts_with("|"));
+      std::string suite;
+      for (std::sregex_iterator it(line.begin(), line.end(), pattern), end; it != end; ++it) {
+        if (!(*it)[1].matched && (!is_situation || suite.empty())) continue;
+        if ((*it)[1].matched) suite = (*it)[1];
+        const auto found = tests.find(suite);
+        const bool exists =
+            found != tests.end() && ((*it)[2] == "*" || found->second.contains((*it)[2]));
+        EXPECT_TRUE(exists) << document << ": " << suite << "." << (*it)[2];
+        ++named;
+      }
+    }
+  }
+  EXPECT_GT(named, 60U);
+}
+
 TEST(Documents, NamedSourcesExist) {
   const std::string layers = "(?:geom|delaunay|cocone|update|io|app|ref|tests|bench|docs|cmake)";
   const std::string file = "[a-zA-Z0-9_/-]+\\.(?:h|cpp|md|csv|txt|html|xyz|off|ply|cmake)";
@@ -80,11 +170,32 @@ TEST(Documents, NamedSourcesExist) {
   EXPECT_GT(sources, 300U);
 }
 
+// By which an example may call the stage of a page: the function of that name in the header of that
+// name at the top of a layer, or else what the page has in code marks.
+std::set<std::string> names_of_stage(const std::string& stage, const std::string& page) {
+  for (const char* layer : {"geom", "delaunay", "cocone", "update"}) {
+    const fs::path header = root / layer / (stage + ".h");
+    if (!fs::exists(header)) continue;
+    if (std::regex_search(code_of(header), std::regex("\n[^ \n][^\n]* " + stage + "\\("))) {
+      return {stage};
+    }
+  }
+  return matches(page, "`([A-Za-z_]+)(?:::[a-z_]+)?(?:\\([^`]*\\))?`");
+}
+
 // Which are compiled and run: tests/CMakeLists.txt.
-TEST(Documents, EachStageHasAnExample) {
+TEST(Documents, EachStageHasAnExampleThatCallsIt) {
   for (const auto& entry : fs::directory_iterator(root / "docs/stages")) {
-    const std::string page = content_of(entry.path().string());
-    EXPECT_FALSE(matches(page, "docs/examples/([a-z_]+\\.cpp)").empty()) << entry.path();
+    const std::string page = text_of(entry.path());
+    std::string examples;
+    for (const std::string& name : matches(page, "docs/examples/([a-z_]+\\.cpp)")) {
+      examples += code_of(root / "docs/examples" / name);
+    }
+    bool is_called = false;
+    for (const std::string& name : names_of_stage(entry.path().stem().string(), page)) {
+      is_called = is_called || has_word(examples, "cocoon::" + name);
+    }
+    EXPECT_TRUE(is_called) << entry.path();
   }
 }
 
@@ -135,63 +246,6 @@ TEST(Documents, BibliographyHasAllAuthors) {
   }
 }
 
-// The values with which members of structs begin, by name: of one name in several structs all.
-std::multimap<std::string, double> defaults_in_headers() {
-  std::multimap<std::string, double> values;
-  for (const char* folder : {"geom", "cocone", "update"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-      if (entry.path().extension() != ".h") continue;
-      std::ifstream stream(entry.path());
-      for (std::string line; std::getline(stream, line);) {
-        const std::size_t equals = line.find(" = ");
-        if (equals == line.npos || line.find(';', equals) == line.npos) continue;
-        const std::size_t name = line.find_last_of(' ', equals - 1) + 1;
-        const std::string value = line.substr(equals + 3);
-        values.emplace(line.substr(name, equals - name),
-                       value.starts_with("true") ? 1 : std::strtod(value.c_str(), nullptr));
-      }
-    }
-  }
-  return values;
-}
-
-// From each "Options" of a page to the next point of a list, bold word or empty line.
-std::string paragraphs_on_options(const std::string& page) {
-  std::istringstream stream(page);
-  std::string text;
-  bool inside = false;
-  for (std::string line; std::getline(stream, line);) {
-    const std::size_t first = line.find_first_not_of(' ');
-    if (first == line.npos || line[first] == '*' || line[first] == '|') inside = false;
-    const std::size_t begin = line.find("Options");
-    if (begin == line.npos && !inside) continue;
-    std::string rest = inside ? line : line.substr(begin);
-    const std::size_t end = rest.find("**", rest.starts_with("Options.**") ? 10 : 0);
-    inside = end == rest.npos;
-    text += rest.substr(0, end) + '\n';
-  }
-  return text;
-}
-
-TEST(Documents, DefaultsOfOptionsAreThoseOfTheHeaders) {
-  const std::multimap<std::string, double> defaults = defaults_in_headers();
-  const std::regex option("`(?:[a-z_.]+[.])?([a-z_]+)` (true|[0-9]+(?:[.][0-9]+)?(?:e-[0-9]+)?)");
-  std::size_t options = 0;
-  for (const fs::path& document : documents()) {
-    const std::string text = paragraphs_on_options(content_of(document.string()));
-    for (std::sregex_iterator it(text.begin(), text.end(), option), end; it != end; ++it) {
-      const std::string value = (*it)[2];
-      const double number = value == "true" ? 1 : std::strtod(value.c_str(), nullptr);
-      bool found = false;
-      const auto [first, last] = defaults.equal_range((*it)[1]);
-      for (auto entry = first; entry != last; ++entry) found |= entry->second == number;
-      EXPECT_TRUE(found) << document << ": " << (*it)[0];
-      ++options;
-    }
-  }
-  EXPECT_GT(options, 100U);
-}
-
 TEST(Documents, CommandsAndOptionsAreThoseOfTheProgram) {
   std::size_t options = 0;
   for (const char* document : {"README.md", "docs/tutorial.md"}) {
@@ -217,3 +271,4 @@ TEST(Documents, CommandsAndOptionsAreThoseOfTheProgram) {
 }
 
 }  // namespace
+}  // namespace cocoon::test
