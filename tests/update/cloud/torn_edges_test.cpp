@@ -162,6 +162,16 @@ TEST(TornEdges, WhatLiesOverTheRimIsNotBeyondIt) {
   EXPECT_EQ(scene.rim.torn_edges, 18U);
 }
 
+// Nor is a hole whose other side was scanned a little lower, as by a scan out of register.
+TEST(TornEdges, ASmallStepIsNone) {
+  RingOnAPlane scene;
+  scene.add_ring(2.5, -0.3);
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim);
+  EXPECT_EQ(scene.rim.torn_edges, 0U);
+  mark_torn_edges(scene.model, {{scene.cloud}}, scene.rim, {.min_step = 0.2});
+  EXPECT_EQ(scene.rim.torn_edges, 18U);
+}
+
 // Edges that have cloud beyond them are seams already.
 TEST(TornEdges, SeamsAreNotTornOnceMore) {
   RingOnAPlane scene;

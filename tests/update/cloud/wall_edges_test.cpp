@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <gtest/gtest.h>
+#include <optional>
 #include <vector>
 
 #include "tests/update/hand_made_models.h"
@@ -11,13 +12,14 @@ namespace cocoon {
 namespace {
 
 // A sheet of a given thickness, cut along x = 10: strips of a scan on both of its sides, five units
-// wide, each with its rim, and a row of samples between them along the new edge.
+// wide, each with its rim, and a row of samples between them along the new edge, or elsewhere.
 struct CutSheet {
   TriangleMesh model_mesh;
   std::vector<Point> cloud;
   CloudRim rim;
 
-  explicit CutSheet(double thickness, bool has_row = true) {
+  explicit CutSheet(double thickness) : CutSheet(thickness, Point{10, 0, thickness / 2}) {}
+  CutSheet(double thickness, std::optional<Point> row) {
     model_mesh = testing::block(20, 20, 2);
     for (Point& p : model_mesh.points) p.z *= thickness / 2;
     rim.spacing = rim.median_edge = 1;
@@ -27,7 +29,7 @@ struct CutSheet {
         for (double y = 4; y <= 16; ++y) cloud.push_back({x, y, z});
       }
     }
-    for (double y = 4.5; has_row && y <= 16; ++y) cloud.push_back({10, y, thickness / 2});
+    for (double y = 4.5; row && y <= 16; ++y) cloud.push_back({row->x, y, row->z});
     for (RimLoop& loop : rim.loops) loop.inner.assign(loop.size(), 0);
     rim.loops[0].inner[0] = 1;  // a seam, so that it is told that the surface is torn
     rim.seam_edges = 1;
@@ -65,10 +67,23 @@ TEST(WallEdges, AreSeamsAlongTheNewEdgeOfAThinWall) {
 }
 
 TEST(WallEdges, NeedASampleAroundTheCornerAndAnotherSide) {
-  EXPECT_EQ(CutSheet(1.6, false).marked(), (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(CutSheet(1.6, std::nullopt).marked(), (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(CutSheet(3.5).marked(), (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(CutSheet(1.6).marked({.thickest = 1.5}), (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(CutSheet(1.6).marked({.reach = 0}), (std::vector<std::size_t>{0, 1}));
+}
+
+// Samples between the two sides that are no new edge.
+TEST(WallEdges, NeedASampleThatIsNotFartherIn) {
+  const std::vector<std::size_t> none = {0, 1};
+  EXPECT_EQ(CutSheet(1.6, Point{9.4, 0, 0.8}).marked(), none);
+  EXPECT_GT(CutSheet(1.6, Point{9.4, 0, 0.8}).marked({.max_inward = 0.7})[0], 20U);
+}
+
+TEST(WallEdges, NeedAStepFromTheModel) {
+  const std::vector<std::size_t> none = {0, 1};
+  EXPECT_EQ(CutSheet(1.6, Point{10, 0, 0.2}).marked(), none);
+  EXPECT_GT(CutSheet(1.6, Point{10, 0, 0.2}).marked({.min_step = 0.1})[0], 10U);
 }
 
 // Off the model all edges would be marked: then no rim would be left.

@@ -115,6 +115,23 @@ TEST(OrientOutward, SheetsKeepTheirSide) {
   }
 }
 
+// The cone from its open edges has a volume, whose sign says nothing: a dish is no body.
+TEST(OrientOutward, CurvedSheetsKeepTheirSideToo) {
+  for (const double height : {0.1, -0.1}) {
+    TriangleMesh dish = gallery::open_patch(6, 6);
+    for (Point& p : dish.points) {
+      p.z = height * ((p.x - 3) * (p.x - 3) + (p.y - 3) * (p.y - 3));
+    }
+    for (const TriangleMesh& patch : {dish, flipped(dish)}) {
+      TriangleMesh oriented = patch;
+      EXPECT_EQ(orient_outward(oriented).turned, 0U);
+      std::swap(oriented.triangles[TriangleId(7)][1], oriented.triangles[TriangleId(7)][2]);
+      EXPECT_EQ(orient_outward(oriented).turned, 1U);
+      EXPECT_EQ(oriented.triangles, patch.triangles);
+    }
+  }
+}
+
 TEST(OrientOutward, OneSidedPartsStay) {
   const TriangleMesh strip = translated(gallery::moebius_strip(30), {9, 0, 0});
   TriangleMesh mesh = join(flipped(cube()), strip);
