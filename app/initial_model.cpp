@@ -84,11 +84,13 @@ bool begin_session(Job& job, ModelInput model, const UpdateOptions& options,
                    std::optional<UpdateSession>& session) {
   if (!model.mesh.triangles.empty()) {
     session.emplace(std::move(model.mesh), options);
+    session->limit_undo(0);  // no command goes back
     return false;
   }
   const std::vector<Point>& points = model.mesh.points.raw();
   run_step(job.execution(), "initial_model", [&](const Execution& nested) {
     naming_input(model.name, [&] { session.emplace(points, options, nested, labels_of(model)); });
+    session->limit_undo(0);
   });
   require_initial_model(job, model.name, session->reconstruction(),
                         session->model().triangles.size(), points, options.reconstruct);

@@ -18,6 +18,7 @@ void resume_session(const std::string& path, SavedSession saved, const SurfaceAr
     arguments.rho = rho;
     resumed.session.emplace(std::move(snapshot), update_options(arguments), SnapshotCheck::done,
                             execution);
+    resumed.session->limit_undo(0);  // no command goes back
   };
   const std::vector<PendingUpdate> updates = load_pending_clouds(path, saved.notes);
   resumed.notes = std::move(saved.notes);
