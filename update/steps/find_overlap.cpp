@@ -58,6 +58,7 @@ bool find_overlap(UpdateRun& run, const Execution& execution) {
 
 void trace_borders(UpdateRun& run, const Execution& execution) {
   run.borders.clear();
+  run.whole_regions.reset();
   for (std::size_t c = 0; c < run.clouds.size(); ++c) {
     CloudReport& report = run.result.clouds[c];
     Border& border = run.borders.emplace_back(trace_border(

@@ -21,8 +21,19 @@ Separation separation_in(const UpdateRun& run, std::size_t c, std::size_t l,
   return loop_sides(run.model, run.index->neighbors(), run.borders[c].loops[l], regions).separation;
 }
 
-Regions segment_by_whole_borders(const UpdateRun& run, const Execution& execution) {
-  return segment_model(*run.index, run.border_facets, run.options.segment, execution);
+// By the whole borders of all clouds, segmented once until borders are traced anew.
+const Regions& whole_regions(UpdateRun& run, const Execution& execution) {
+  if (!run.whole_regions) {
+    run.whole_regions =
+        segment_model(*run.index, run.border_facets, run.options.segment, execution);
+  }
+  return *run.whole_regions;
+}
+
+// Takes them as those of the result.
+void take_whole_regions(UpdateRun& run, const Execution& execution) {
+  whole_regions(run, execution);
+  run.result.regions = *std::exchange(run.whole_regions, {});
 }
 
 bool is_any_cut(const UpdateRun& run) {
@@ -32,12 +43,10 @@ bool is_any_cut(const UpdateRun& run) {
 // A pin-hole that does not cut the model in two, by itself or with other loops, is none of the
 // border. False if a cloud has no rim but for such ones.
 bool close_pin_holes(UpdateRun& run, const Execution& execution) {
-  std::optional<Regions> regions;
   bool closed = false;
   run.for_each_border_loop([&](std::size_t c, std::size_t l) {
     if (!run.result.clouds[c].loops[l].pin_hole) return;
-    if (!regions) regions = segment_by_whole_borders(run, execution);
-    if (separation_in(run, c, l, *regions) == Separation::separates) {
+    if (separation_in(run, c, l, whole_regions(run, execution)) == Separation::separates) {
       return run.warn(
           run.name_of_loop(c, l) +
           ": the model goes on through this small hole of the scan; what is beyond stays");
@@ -74,7 +83,7 @@ bool samples_tell_of_whole_rim(const UpdateRun& run, std::size_t c, const Region
 
 // Whether there are cuts, none of them is clear, and all are of single clouds, of which
 // samples_tell_of_whole_rim().
-bool needs_no_cut(const UpdateRun& run, const std::vector<std::size_t>& joined,
+bool needs_no_cut(UpdateRun& run, const std::vector<std::size_t>& joined,
                   std::span<const RegionCut> cuts, const Execution& execution) {
   if (!is_any_cut(run)) return false;
   for (std::size_t c = 0; c < run.clouds.size(); ++c) {
@@ -82,7 +91,7 @@ bool needs_no_cut(const UpdateRun& run, const std::vector<std::size_t>& joined,
     const bool is_single = std::count(joined.begin(), joined.end(), joined[c]) == 1;
     if (!is_single || cuts[c].doubt() <= run.options.cut.clear_doubt) return false;
   }
-  const Regions whole = segment_by_whole_borders(run, execution);
+  const Regions& whole = whole_regions(run, execution);
   const RegionChoice choice =
       choose_regions(run.measure_angles(whole), run.clouds.size(), run.options.choice);
   for (std::size_t c = 0; c < run.clouds.size(); ++c) {
@@ -111,7 +120,7 @@ std::optional<std::string> why_not_cut(const UpdateRun& run, std::size_t c, cons
 bool segment(UpdateRun& run, const std::vector<std::size_t>& joined, const Execution& execution) {
   if (!is_any_cut(run)) {
     run.decided.clear();
-    run.result.regions = segment_by_whole_borders(run, execution);
+    take_whole_regions(run, execution);
     return true;
   }
   std::vector<CloudReport>& reports = run.result.clouds;
@@ -130,7 +139,7 @@ bool segment(UpdateRun& run, const std::vector<std::size_t>& joined, const Execu
     cut.cuts[c].under = {};
     reports[c].cut = std::move(cut.cuts[c]);
     if (why) {
-      run.result.regions = segment_by_whole_borders(run, execution);
+      take_whole_regions(run, execution);
       return run.fail(UpdateStatus::non_separating, run.name_of_cloud(c) + ": " + *why);
     }
   }

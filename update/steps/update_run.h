@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -75,7 +76,8 @@ struct UpdateRun {
   std::vector<std::vector<CloudSurface>> other_surfaces;  // of each cloud, those not taken
   LocatedRims rims;
   std::vector<Border> borders;
-  TriangleSet border_facets;
+  TriangleSet border_facets;                              // of all of them
+  std::optional<Regions> whole_regions;                   // by these, once they are asked for
   std::vector<std::uint8_t> is_cut;                       // clouds_to_cut(), or more
   std::vector<IdVector<RegionId, std::uint8_t>> decided;  // which regions lie under each cloud,
                                                           // where its rim does not tell
