@@ -180,7 +180,7 @@ void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared)
   add_densify(*sub, "MODEL", update.densify);
   sub->add_option("--map", update.map,
                   "Write one line per vertex or point of MODEL: its new index, or -1; not for STL, "
-                  "which keeps no numbers of vertices")
+                  "which keeps no numbers of vertices; - = standard output")
       ->type_name("FILE");
   sub->add_option("--html", update.html,
                   "Write a report that a browser opens offline; - = standard output")

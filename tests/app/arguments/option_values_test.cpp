@@ -42,7 +42,8 @@ TEST(OptionValues, EmptyOnesAreRefused) {
   CLI::App app;
   std::string map;
   app.add_option("--map", map);
-  app.parse("--map=\"\"");
+  const char* const arguments[] = {"program", "--map", ""};
+  app.parse(3, arguments);
   EXPECT_THROW(require_no_empty_values(app), UsageError);
 }
 
