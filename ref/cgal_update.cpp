@@ -5,12 +5,11 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <ctime>
 #include <limits>
-#include <map>
-#include <set>
 #include <utility>
 
 #include "ref/cgal_surface.h"
@@ -25,6 +24,9 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 constexpr std::uint32_t no_region = std::numeric_limits<std::uint32_t>::max();
 
+// Sum and number of the angles to a region.
+using AngleSum = std::pair<double, int>;
+
 Kernel::Point_3 to_cgal(const Point& p) { return {p.x, p.y, p.z}; }
 
 // An edge of the rim: its ends, and the third corner of its triangle.
@@ -37,28 +39,33 @@ using Loop = std::vector<RimEdge>;
 
 // The edges with one triangle, chained; the longest chain.
 Loop longest_loop(const std::vector<Point>& cloud, const CgalSurface& surface) {
-  std::map<std::pair<PointId, PointId>, std::pair<int, PointId>> edges;  // triangles, apex
+  std::vector<std::array<PointId, 3>> sides;  // smaller end, larger end, apex
   for (const auto& t : surface.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto ends = std::minmax(t[k], t[(k + 1) % 3]);
-      auto& [count, apex] = edges[{ends.first, ends.second}];
-      ++count;
-      apex = t[(k + 2) % 3];
+      sides.push_back({ends.first, ends.second, t[(k + 2) % 3]});
     }
   }
-  std::map<PointId, std::vector<std::pair<PointId, PointId>>> next;  // neighbor on the rim, apex
-  for (const auto& [ends, entry] : edges) {
-    if (entry.first != 1) continue;
-    next[ends.first].emplace_back(ends.second, entry.second);
-    next[ends.second].emplace_back(ends.first, entry.second);
+  std::sort(sides.begin(), sides.end());
+  const auto same_edge = [&](std::size_t i, std::size_t j) {
+    return sides[i][0] == sides[j][0] && sides[i][1] == sides[j][1];
+  };
+  // Of each point the neighbors on the rim, with the apex.
+  std::vector<std::vector<std::pair<PointId, PointId>>> next(cloud.size());
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (i > 0 && same_edge(i - 1, i)) continue;
+    if (i + 1 < sides.size() && same_edge(i, i + 1)) continue;
+    const auto [a, b, apex] = sides[i];
+    next[a.index()].emplace_back(b, apex);
+    next[b.index()].emplace_back(a, apex);
   }
   Loop longest;
-  for (auto& [start, unused] : next) {
+  for (std::size_t start = 0; start < next.size(); ++start) {
     Loop loop;
-    for (PointId at = start; !next[at].empty();) {
-      const auto [to, apex] = next[at].back();
-      next[at].pop_back();
-      std::erase_if(next[to], [&](const auto& entry) { return entry.first == at; });
+    for (PointId at(start); !next[at.index()].empty();) {
+      const auto [to, apex] = next[at.index()].back();
+      next[at.index()].pop_back();
+      std::erase_if(next[to.index()], [&](const auto& entry) { return entry.first == at; });
       loop.push_back({cloud[at.index()], cloud[to.index()], cloud[apex.index()]});
       at = to;
     }
@@ -102,29 +109,42 @@ class PlainUpdate {
     }
   }
 
-  std::vector<TriangleId> neighbors_of(TriangleId t) const {
-    std::vector<TriangleId> neighbors;
-    const Triangle& triangle = model_.triangles[t];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto found = facet_of_side_.find({triangle[(k + 1) % 3], triangle[k]});
-      if (found != facet_of_side_.end()) neighbors.push_back(found->second);
+  // Across each side of each facet the facet with the opposite side, or none.
+  void link_facets() {
+    std::vector<std::vector<std::pair<VertexId, TriangleId>>> sides_from(model_.points.size());
+    for (const TriangleId t : model_.triangles.ids()) {
+      const Triangle& corners = model_.triangles[t];
+      for (std::size_t k = 0; k < 3; ++k) {
+        sides_from[corners[k].index()].emplace_back(corners[(k + 1) % 3], t);
+      }
     }
-    return neighbors;
+    neighbors_.resize(model_.triangles.size());
+    for (const TriangleId t : model_.triangles.ids()) {
+      const Triangle& corners = model_.triangles[t];
+      for (std::size_t k = 0; k < 3; ++k) {
+        for (const auto& [to, facet] : sides_from[corners[(k + 1) % 3].index()]) {
+          if (to == corners[k]) neighbors_[t.index()][k] = facet;
+        }
+      }
+    }
   }
 
   // The facets on a shortest way over neighboring facets.
-  std::vector<TriangleId> way(TriangleId from, TriangleId to) const {
-    std::map<TriangleId, TriangleId> came_from = {{from, from}};
+  std::vector<TriangleId> way(TriangleId from, TriangleId to) {
+    came_from_[from.index()] = from;
     std::vector<TriangleId> queue = {from};
-    for (std::size_t i = 0; i < queue.size() && came_from.count(to) == 0; ++i) {
-      for (const TriangleId n : neighbors_of(queue[i])) {
-        if (came_from.emplace(n, queue[i]).second) queue.push_back(n);
+    for (std::size_t i = 0; i < queue.size() && came_from_[to.index()].is_none(); ++i) {
+      for (const TriangleId n : neighbors_[queue[i].index()]) {
+        if (n.is_none() || !came_from_[n.index()].is_none()) continue;
+        came_from_[n.index()] = queue[i];
+        queue.push_back(n);
       }
     }
     std::vector<TriangleId> facets = {to};
-    while (came_from.count(to) != 0 && facets.back() != from) {
-      facets.push_back(came_from[facets.back()]);
+    while (!came_from_[to.index()].is_none() && facets.back() != from) {
+      facets.push_back(came_from_[facets.back().index()]);
     }
+    for (const TriangleId t : queue) came_from_[t.index()] = TriangleId();
     return facets;
   }
 
@@ -134,40 +154,43 @@ class PlainUpdate {
       const Triangle& corners = model_.triangles[t];
       triangles.emplace_back(to_cgal(model_.points[corners[0]]), to_cgal(model_.points[corners[1]]),
                              to_cgal(model_.points[corners[2]]));
-      for (std::size_t k = 0; k < 3; ++k) {
-        facet_of_side_[{corners[k], corners[(k + 1) % 3]}] = t;
-      }
     }
+    link_facets();
     Tree tree(triangles.begin(), triangles.end());
     tree.accelerate_distance_queries();
+    came_from_.assign(model_.triangles.size(), TriangleId());
+    border_.assign(model_.triangles.size(), 0);
+    std::vector<TriangleId>& overlapping = result_.overlapping_facets;
     for (const Loop& loop : loops_) {
       std::vector<TriangleId> under;
       for (const RimEdge& edge : loop) {
         const auto closest = tree.closest_point_and_primitive(to_cgal(edge.from));
         under.emplace_back(static_cast<std::size_t>(closest.second - triangles.cbegin()));
       }
-      overlapping_.insert(under.begin(), under.end());
+      overlapping.insert(overlapping.end(), under.begin(), under.end());
       facets_of_edge_.emplace_back();
       for (std::size_t i = 0; i < under.size(); ++i) {
         facets_of_edge_.back().push_back(way(under[i], under[(i + 1) % under.size()]));
-        border_.insert(facets_of_edge_.back().back().begin(), facets_of_edge_.back().back().end());
+        for (const TriangleId t : facets_of_edge_.back().back()) border_[t.index()] = 1;
       }
     }
-    result_.overlapping_facets.assign(overlapping_.begin(), overlapping_.end());
+    std::sort(overlapping.begin(), overlapping.end());
+    overlapping.erase(std::unique(overlapping.begin(), overlapping.end()), overlapping.end());
   }
 
   void grow_regions() {
     region_of_.assign(model_.triangles.size(), no_region);
     for (const TriangleId seed : model_.triangles.ids()) {
-      if (border_.count(seed) != 0 || region_of_[seed.index()] != no_region) continue;
+      if (border_[seed.index()] != 0 || region_of_[seed.index()] != no_region) continue;
       const auto region = static_cast<std::uint32_t>(result_.regions++);
       std::vector<TriangleId> stack = {seed};
       region_of_[seed.index()] = region;
       while (!stack.empty()) {
         const TriangleId t = stack.back();
         stack.pop_back();
-        for (const TriangleId n : neighbors_of(t)) {
-          if (border_.count(n) != 0 || region_of_[n.index()] != no_region) continue;
+        for (const TriangleId n : neighbors_[t.index()]) {
+          if (n.is_none() || border_[n.index()] != 0 || region_of_[n.index()] != no_region)
+            continue;
           region_of_[n.index()] = region;
           stack.push_back(n);
         }
@@ -175,9 +198,13 @@ class PlainUpdate {
     }
     regions_of_vertex_.resize(model_.points.size());
     for (const TriangleId t : model_.triangles.ids()) {
-      if (region_of_[t.index()] == no_region) continue;
+      const std::uint32_t region = region_of_[t.index()];
+      if (region == no_region) continue;
       for (const VertexId v : model_.triangles[t]) {
-        regions_of_vertex_[v.index()].insert(region_of_[t.index()]);
+        std::vector<std::uint32_t>& regions = regions_of_vertex_[v.index()];
+        if (std::find(regions.begin(), regions.end(), region) == regions.end()) {
+          regions.push_back(region);
+        }
       }
     }
   }
@@ -195,15 +222,18 @@ class PlainUpdate {
 
   // For each region the angle at the vertex of it nearest to the middle of the edge.
   void add_angles(const RimEdge& edge, const std::vector<TriangleId>& facets,
-                  std::map<std::uint32_t, std::pair<double, int>>& sums) const {
+                  std::vector<AngleSum>& sums) const {
     const Point middle = edge.from + 0.5 * (edge.to - edge.from);
-    std::map<std::uint32_t, VertexId> nearest;
+    std::vector<std::pair<std::uint32_t, VertexId>> nearest;  // of few regions
     for (const TriangleId t : facets) {
       for (const VertexId v : model_.triangles[t]) {
         for (const std::uint32_t region : regions_of_vertex_[v.index()]) {
-          const auto [entry, fresh] = nearest.emplace(region, v);
-          if (!fresh && squared_distance(model_.points[v], middle) <
-                            squared_distance(model_.points[entry->second], middle)) {
+          const auto entry = std::find_if(nearest.begin(), nearest.end(),
+                                          [&](const auto& e) { return e.first == region; });
+          if (entry == nearest.end()) {
+            nearest.emplace_back(region, v);
+          } else if (squared_distance(model_.points[v], middle) <
+                     squared_distance(model_.points[entry->second], middle)) {
             entry->second = v;
           }
         }
@@ -217,36 +247,42 @@ class PlainUpdate {
 
   void segment_and_choose() {
     grow_regions();
+    replaced_.assign(result_.regions, 0);
     for (std::size_t c = 0; c < loops_.size(); ++c) {
-      std::map<std::uint32_t, std::pair<double, int>> sums;
+      std::vector<AngleSum> sums(result_.regions);
       for (std::size_t i = 0; i < loops_[c].size(); ++i) {
         add_angles(loops_[c][i], facets_of_edge_[c][i], sums);
       }
-      std::uint32_t chosen = no_region;
+      std::size_t chosen = result_.regions;
       double least = std::numeric_limits<double>::infinity();
-      for (const auto& [region, sum] : sums) {
-        const double mean = sum.first / sum.second;
-        if (10 * static_cast<std::size_t>(sum.second) < loops_[c].size() || mean >= least) continue;
+      std::size_t seen = 0;
+      for (std::size_t region = 0; region < sums.size(); ++region) {
+        const auto [sum, count] = sums[region];
+        if (count == 0) continue;
+        ++seen;
+        const double mean = sum / count;
+        if (10 * static_cast<std::size_t>(count) < loops_[c].size() || mean >= least) continue;
         chosen = region;
         least = mean;
       }
-      if (chosen != no_region && sums.size() > 1) replaced_.insert(chosen);
+      if (chosen != result_.regions && seen > 1) replaced_[chosen] = 1;
     }
   }
 
   void reconstruct() {
-    std::set<Point> points;
+    std::vector<Point>& points = updated_points_;
     for (const VertexId v : model_.points.ids()) {
-      const std::set<std::uint32_t>& regions = regions_of_vertex_[v.index()];
-      if (regions.size() == 1 && replaced_.count(*regions.begin()) != 0) {
+      const std::vector<std::uint32_t>& regions = regions_of_vertex_[v.index()];
+      if (regions.size() == 1 && replaced_[regions.front()] != 0) {
         result_.replaced.push_back(v);
       } else {
-        points.insert(model_.points[v]);
+        points.push_back(model_.points[v]);
       }
     }
-    for (const auto& cloud : clouds_) points.insert(cloud.begin(), cloud.end());
-    updated_points_.assign(points.begin(), points.end());
-    updated_ = cgal_tight_surface(updated_points_);
+    for (const auto& cloud : clouds_) points.insert(points.end(), cloud.begin(), cloud.end());
+    std::stable_sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    updated_ = cgal_tight_surface(points);
     result_.model_delaunay_seconds = updated_.delaunay_seconds;
   }
 
@@ -254,13 +290,13 @@ class PlainUpdate {
   const std::vector<std::vector<Point>>& clouds_;
   CgalUpdate result_;
   std::vector<Loop> loops_;
-  std::map<std::pair<VertexId, VertexId>, TriangleId> facet_of_side_;
-  std::set<TriangleId> overlapping_;
-  std::set<TriangleId> border_;
+  std::vector<std::array<TriangleId, 3>> neighbors_;  // of each facet, across side k, k + 1
+  std::vector<TriangleId> came_from_;                 // none but during a search
+  std::vector<char> border_;                          // by facet
   std::vector<std::vector<std::vector<TriangleId>>> facets_of_edge_;  // by loop and rim edge
   std::vector<std::uint32_t> region_of_;
-  std::vector<std::set<std::uint32_t>> regions_of_vertex_;
-  std::set<std::uint32_t> replaced_;
+  std::vector<std::vector<std::uint32_t>> regions_of_vertex_;
+  std::vector<char> replaced_;  // by region
   std::vector<Point> updated_points_;
   CgalSurface updated_;
 };

@@ -24,9 +24,9 @@ struct CgalUpdate {
   TriangleMesh mesh;  // the updated surface; points on no triangle are among its points
 };
 
-// One thread, plain data structures, no indexes but CGAL's triangulation and AABB tree: Cocone
-// surface of each cloud, its longest loop, the closest facet of each rim point, gaps closed by
-// searches over neighboring facets, regions grown over edges, the region at the smaller angle
+// One thread, plain arrays by facet and vertex, no indexes but CGAL's triangulation and AABB tree:
+// Cocone surface of each cloud, its longest loop, the closest facet of each rim point, gaps closed
+// by searches over neighboring facets, regions grown over edges, the region at the smaller angle
 // replaced, Tight Cocone of what is left and the clouds. Does less than update_model(): one trial
 // for each rim, no seams, no trimming, no clean-up, no reports. Precondition: points of the model
 // and of each cloud are all different; the model is an oriented manifold.
