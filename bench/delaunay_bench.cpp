@@ -26,6 +26,7 @@
 #include "bench/tidy_heap.h"
 #include "delaunay/delaunay.h"
 #include "ref/cell_set.h"
+#include "ref/cgal_delaunay.h"
 
 namespace cocoon {
 namespace {
@@ -48,7 +49,7 @@ std::string differing_rival(Case& input, const Execution& execution) {
   const Triangulation ours = delaunay(input.points, {}, execution).triangulation;
   input.finite_cells = ours.num_finite_cells();
   const std::uint64_t cells = ref::cell_set_hash(ours);
-  if (rivals::cgal_cell_set_hash(input.points) != cells) return "CGAL";
+  if (ref::cell_set_hash(ref::cgal_delaunay(input.points)) != cells) return "CGAL";
   if (!has_ties(input) && rivals::tetgen_cell_set_hash(input.points) != cells) return "TetGen";
   return "";
 }

@@ -2,21 +2,16 @@
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <array>
 #include <utility>
 #include <vector>
 
 #include "bench/place_set_hash.h"
-#include "ref/cell_set.h"
 
 namespace cocoon::rivals {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using CellBase = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
-using LabeledVertexBase = CGAL::Triangulation_vertex_base_with_info_3<PointId, Kernel>;
-using LabeledStructure = CGAL::Triangulation_data_structure_3<LabeledVertexBase, CellBase>;
 
 Kernel::Point_3 to_cgal(const Point& p) { return {p.x, p.y, p.z}; }
 
@@ -30,22 +25,6 @@ TimedBuild cgal_delaunay(Points points) {
   const bench::Stopwatch stopwatch;
   const CGAL::Delaunay_triangulation_3<Kernel> triangulation(input.begin(), input.end());
   return {stopwatch.elapsed(), triangulation.number_of_finite_cells()};
-}
-
-std::uint64_t cgal_cell_set_hash(Points points) {
-  std::vector<std::pair<Kernel::Point_3, PointId>> input;
-  input.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    input.emplace_back(to_cgal(points[i]), PointId(i));
-  }
-  const CGAL::Delaunay_triangulation_3<Kernel, LabeledStructure> triangulation(input.begin(),
-                                                                               input.end());
-  std::uint64_t sum = 0;
-  for (const auto& cell : triangulation.finite_cell_handles()) {
-    sum += ref::cell_hash({cell->vertex(0)->info(), cell->vertex(1)->info(),
-                           cell->vertex(2)->info(), cell->vertex(3)->info()});
-  }
-  return sum;
 }
 
 struct CgalDynamicDelaunay::State {

@@ -16,10 +16,6 @@ namespace cocoon::rivals {
 // finished triangulation. Not timed: the conversion of `points`, the destruction.
 TimedBuild cgal_delaunay(Points points);
 
-// What ref::cell_set_hash says for a triangulation with the cells that CGAL finds. Not timed.
-// Precondition: all points different.
-std::uint64_t cgal_cell_set_hash(Points points);
-
 struct TimedReplacement {
   bench::Elapsed removal;
   bench::Elapsed insertion;

@@ -20,9 +20,9 @@ namespace {
 
 // Two plates of 4 by 4 by 1, a gap of a third of the spacing between them.
 constexpr double spacing = 0.3;
-TriangleMesh two_plates() {
+TriangleMesh two_plates(double gap = 0.1) {
   return gallery::join(gallery::box(4, 4, 1),
-                       gallery::translated(gallery::box(4, 4, 1), {0, 0, 1.1}));
+                       gallery::translated(gallery::box(4, 4, 1), {0, 0, 1 + gap}));
 }
 
 std::vector<Point> samples_of(const TriangleMesh& mesh) {
@@ -79,6 +79,31 @@ TEST(ConformingSamples, KeepBodiesApartThatSamplesJoin) {
   EXPECT_EQ(report.components, 2U);
   EXPECT_EQ(report.genus, 0U);
   EXPECT_LT(surface_distance(surface, solid, {.samples = 20000}).rms, 1e-3 * spacing);
+}
+
+// On the edges of the lower plate.
+std::size_t on_edges(const std::vector<Point>& points) {
+  const auto is_extreme = [](double x, double largest) { return x == 0 || x == largest; };
+  return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const Point& p) {
+    return (is_extreme(p.x, 4) ? 1 : 0) + (is_extreme(p.y, 4) ? 1 : 0) +
+               (is_extreme(p.z, 1) ? 1 : 0) >=
+           2;
+  }));
+}
+
+// Along a gap of a tenth of the spacing. A cell at two edges crosses the mesh again as long as the
+// edges are not cut.
+TEST(ConformingSamples, CutSharpEdgesNearby) {
+  const TriangleMesh solid = two_plates(0.03);
+  const std::vector<Point> samples = samples_of(solid);
+  const std::vector<Point> cut = conforming_samples(solid, samples, {.spacing = spacing}).added;
+  const std::vector<Point> beside =
+      conforming_samples(solid, samples, {.spacing = spacing, .snap = 0}).added;
+  EXPECT_GT(on_edges(cut), 50U);
+  EXPECT_EQ(on_edges(beside), 0U);
+  EXPECT_LT(1.3 * static_cast<double>(cut.size()), static_cast<double>(beside.size()));
+  EXPECT_LT(20 * crossing_cells(solid, joined(samples, cut)),
+            crossing_cells(solid, joined(samples, beside)));
 }
 
 TEST(ConformingSamples, AreNoneWhereTheSpacingIsFine) {
