@@ -201,9 +201,20 @@ TEST(DenseSamples, ARefusalAdvisesASpacingThatIsPossible) {
 }
 
 TEST(DenseSamples, FarFromTheOriginToo) {
+  const std::size_t usual = dense_samples(box(1), {.spacing = 0.5}).size();
   TriangleMesh far = box(1);
-  for (Point& p : far.points) p = p + Vec3{1e300, 0, 0};
-  EXPECT_NO_THROW(dense_samples(far, {.spacing = 0.5}));
+  for (Point& p : far.points) p.x += 0x1p40;
+  const std::vector<Point> samples = dense_samples(far, {.spacing = 0.5});
+  EXPECT_NEAR(static_cast<double>(samples.size()), static_cast<double>(usual),
+              0.1 * static_cast<double>(usual));
+  for (const Point& p : samples) {
+    EXPECT_TRUE(p.x >= 0x1p40 && p.x <= 0x1p40 + 4) << p.x - 0x1p40;
+    EXPECT_TRUE(p.y >= 0 && p.y <= 3) << p.y;
+    EXPECT_TRUE(p.z >= 0 && p.z <= 1) << p.z;
+  }
+  // There, beside the distance from the origin, the box has no area.
+  for (Point& p : far.points) p.x = 1e300;
+  EXPECT_TRUE(dense_samples(far, {.spacing = 0.5}).empty());
 }
 
 }  // namespace
