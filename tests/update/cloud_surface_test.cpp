@@ -226,16 +226,22 @@ TEST(CloudSurface, NoLayerIsSetAsideIfThatIsOffAsInPaperMode) {
   }
 }
 
-// Samples 0.4 apart on one half, 1 on the other: the rim is looked for among samples that are about
-// as far apart everywhere.
-TEST(CloudSurface, ARimOfUnevenSamplesHasOneSpacing) {
+// Samples `distance` apart on one half, 1 on the other.
+std::vector<Point> uneven_sheet(double distance, double bend, double jitter) {
   std::vector<Point> cloud;
-  for (const Point& p : sheet(30, 0.02, 0.2, 0, everywhere)) {
+  for (const Point& p : sheet(30, bend, jitter, 0, everywhere)) {
     if (p.x < 0) cloud.push_back(p);
   }
-  for (const Point& p : sheet(75, 0.008, 0.2, 0, everywhere)) {
-    if (p.x >= 0) cloud.push_back(0.4 * p);
+  const int cells = static_cast<int>(30 / distance);
+  for (const Point& p : sheet(cells, bend * distance, jitter, 0, everywhere)) {
+    if (p.x >= 0) cloud.push_back(distance * p);
   }
+  return cloud;
+}
+
+// The rim is looked for among samples that are about as far apart everywhere.
+TEST(CloudSurface, ARimOfUnevenSamplesHasOneSpacing) {
+  const std::vector<Point> cloud = uneven_sheet(0.4, 0.02, 0.2);
   CloudSurfaceOptions options;
   options.density.min_ratio = 0;
   const CloudSurface of_all = cloud_surface(cloud, options);
@@ -251,6 +257,23 @@ TEST(CloudSurface, ARimOfUnevenSamplesHasOneSpacing) {
   }
   options.density = {.min_ratio = 2, .spread = 1000};  // which leaves one sample
   EXPECT_EQ(cloud_surface(cloud, options).set_aside, 0U);
+}
+
+// Neither of the rims of few samples is the less doubtful one. Edges of the first are as long as
+// those of its surface, of the second two and a half times as long.
+TEST(CloudSurface, AGoodRimOfFewSamplesHasNoLongEdges) {
+  const auto set_aside = [](const std::vector<Point>& cloud, double max_stretch) {
+    CloudSurfaceOptions options;
+    options.density.max_stretch = max_stretch;
+    return cloud_surface(cloud, options).set_aside;
+  };
+  const double usual = DensityOptions{}.max_stretch;
+  const std::vector<Point> even_rim = uneven_sheet(0.4, 0.05, 0);
+  EXPECT_GT(set_aside(even_rim, usual), even_rim.size() / 2);
+  EXPECT_EQ(set_aside(even_rim, 1), 0U);
+  const std::vector<Point> long_edges = uneven_sheet(0.45, 0.01, 0.2);
+  EXPECT_EQ(set_aside(long_edges, usual), 0U);
+  EXPECT_GT(set_aside(long_edges, 3), long_edges.size() / 2);
 }
 
 TEST(CloudSurface, OrderAndThreadsDoNotMatter) {
