@@ -267,10 +267,8 @@ bool DynamicTightCocone::State::take_body(const Triangulation& triangulation,
 KnownLabelsSource DynamicTightCocone::State::labels_of(const OldSurface& old) const {
   if (!old.labels || !old.triangles.at || !kept.body.exists()) return old.labels;
   return [&](const Triangulation& triangulation, const auto&...) {
-    KnownLabels known = kept_labels(triangulation, delaunay.cells_at_vertices(),
-                                    kept.body.before(triangulation), old.triangles);
-    if (old.likely) old.likely(triangulation, known);
-    return known;
+    return kept_labels(triangulation, delaunay.cells_at_vertices(), kept.body.before(triangulation),
+                       old);
   };
 }
 

@@ -137,8 +137,10 @@ class KeptLabels {
 
 KnownLabels kept_labels(const Triangulation& triangulation,
                         const IdVector<VertexId, CellId>& cell_at, BodyBefore before,
-                        const KnownTriangles& triangles) {
-  return KeptLabels(triangulation, cell_at, std::move(before), triangles).run();
+                        const OldSurface& old) {
+  KnownLabels known = KeptLabels(triangulation, cell_at, std::move(before), old.triangles).run();
+  if (old.likely) old.likely(triangulation, known);
+  return known;
 }
 
 }  // namespace cocoon

@@ -68,25 +68,30 @@ class Following {
       }
     }
     std::size_t asked = 0;
-    const KnownTriangles triangles{
-        [&] { return torn; },
-        [&](std::span<const PointId> points) {
-          const std::set<PointId> at(points.begin(), points.end());
-          asked = at.size();
-          std::vector<KnownTriangle> found;
-          std::copy_if(known.begin(), known.end(), std::back_inserter(found),
-                       [&](const KnownTriangle& t) {
-                         return std::ranges::any_of(t, [&](PointId p) { return at.contains(p); });
-                       });
-          return found;
-        }};
+    OldSurface old;
+    old.triangles = {[&] { return torn; },
+                     [&](std::span<const PointId> points) {
+                       const std::set<PointId> at(points.begin(), points.end());
+                       asked = at.size();
+                       std::vector<KnownTriangle> found;
+                       std::copy_if(known.begin(), known.end(), std::back_inserter(found),
+                                    [&](const KnownTriangle& t) {
+                                      return std::ranges::any_of(
+                                          t, [&](PointId p) { return at.contains(p); });
+                                    });
+                       return found;
+                     }};
+    old.likely = [](const Triangulation& of, KnownLabels& so_far) {
+      so_far.likely = IdVector<CellId, CellLabel>(of.num_cells(), CellLabel::in);
+    };
     const KnownLabels actual = kept_labels(triangulation, live_.delaunay().cells_at_vertices(),
-                                           kept_.before(triangulation), triangles);
+                                           kept_.before(triangulation), old);
     const KnownLabels expected =
         known_labels(triangulation, known, FacetSet(triangulation.num_cells()));
     EXPECT_EQ(actual.labels, expected.labels);
     EXPECT_EQ(actual.cells, expected.cells);
     EXPECT_EQ(actual.contradictions, expected.contradictions);
+    EXPECT_EQ(actual.likely.size(), triangulation.num_cells());
     not_asked_ += triangulation.num_vertices() - asked;
     return actual;
   }
