@@ -17,6 +17,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target,
                         const std::string& meaning,
                         const std::vector<std::pair<std::string, Value>>& choices) {
   std::vector<std::string> words;
+  words.reserve(choices.size());
   for (const auto& [word, value] : choices) words.push_back(word);
   const auto choose = [&target, choices](const std::string& chosen) {
     for (const auto& [word, value] : choices) {
