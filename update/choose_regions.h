@@ -96,13 +96,14 @@ RegionChoice choose_regions(std::span<const RegionAngles> loops, std::size_t num
 // By the angles alone: a flag for each region, 1 for those at loops of the cloud that lie under it,
 // even if all of them turn away from it (ChoiceOptions::turned_away). Empty if not each region
 // outside has a mean larger by sure_margin than each one under it. `loops`, `num_clouds`, errors
-// and complexity: as choose_regions(); `loops` is not empty. Source: ours.
+// and complexity: as choose_regions(); `loops` is not empty, and `cloud` below num_clouds. Source:
+// ours.
 IdVector<RegionId, std::uint8_t> under_by_sure_angles(std::span<const RegionAngles> loops,
                                                       std::size_t num_clouds, std::size_t cloud,
                                                       ChoiceOptions options = {});
 
 // Of the regions that stay the one with the most facets, of several the first; none if all go.
-// Complexity: O(regions).
+// Errors: InputError unless the choice has a flag for each region. Complexity: O(regions).
 RegionId largest_kept_region(const Regions& regions, const RegionChoice& choice);
 
 }  // namespace cocoon

@@ -45,7 +45,7 @@ class Gaze {
   // Its facet is none if the sample sees none.
   Disproof first_facet(const NearFacets& near, const OffSample& w) const {
     const double bound = near.reach() * near.reach();
-    const ClosestFacet closest = near.closest(w.place, bound, [](TriangleId) { return true; });
+    const ClosestFacet closest = near.closest(w.place, bound);
     if (closest.triangle.is_none()) return {};
     const double side = dot(model_.normal(closest.triangle), closest.point - w.place);
     if (std::abs(side) < options_.min_side_cosine * std::sqrt(closest.squared_distance)) return {};

@@ -142,4 +142,13 @@ void excuse_covered_points(std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds, std::span<Overlap> overlaps,
                            const OverlapOptions& options = {});
 
+// Empties the loops of a rim that are not on the model: those have no part in the border. `found`:
+// what is known of each loop (LoopOverlap, LoopReport).
+template <class Found>
+void keep_border_loops(const std::vector<Found>& found, CloudRim& rim) {
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    if (found[l].match != LoopMatch::on_model) rim.loops[l] = {};
+  }
+}
+
 }  // namespace cocoon

@@ -22,7 +22,7 @@ std::vector<RimLoop> loops_on_model(const ModelIndex& model, const std::vector<R
   }
   const NearFacets near(model, points, reach);
   const auto is_near = [&](const Point& p) {
-    return !near.closest(p, reach * reach, [](TriangleId) { return true; }).triangle.is_none();
+    return !near.closest(p, reach * reach).triangle.is_none();
   };
   std::vector<RimLoop> result;
   for (const RimLoop& loop : loops) {

@@ -9,9 +9,7 @@ RimDoubt rim_doubt(const ModelIndex& model, Points samples, CloudRim rim, const 
                    const TraceOptions& trace, const CutOptions& options,
                    const Execution& execution) {
   const Border border = trace_border(model, rim, overlap, trace, execution);
-  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
-    if (overlap.loops[l].match != LoopMatch::on_model) rim.loops[l] = {};
-  }
+  keep_border_loops(overlap.loops, rim);
   TriangleSet certain(model.mesh().triangles.size(), 0);
   certain_border(model, rim, border.loops, options, certain);
   const RegionCut cut = cut_under_cloud(model, certain, std::span(&rim, 1), {}, options);

@@ -39,7 +39,8 @@ struct Regions {
 // The components of model \ border under adjacency across edges. A vertex belongs to the group of
 // a region if all facets at it that are not in the border are of that region, and there is one.
 // Where every region is tiny, none is merged away.
-// Complexity: O(triangles + vertices). Deterministic: by facet id.
+// Errors: InputError unless the border has a flag for each facet. Complexity: O(triangles +
+// vertices). Deterministic: by facet id.
 // Source: Woo & Dey 2005, section 3.4.
 Regions segment_model(const ModelIndex& model, const TriangleSet& border,
                       const SegmentOptions& options = {}, const Execution& execution = {});

@@ -64,8 +64,8 @@ struct Border {
 // that fails gives way to a shortest path over neighboring facets, where a step costs the distance
 // between centroids and twice the distance of the new centroid from the segment. Both step across
 // edges only: a band is connected by edges, and closed unless `breaks` is above 0.
-// Complexity: O(facets walked), O(s log s) for a search over s facets. Ties by lexicographic
-// corners.
+// Errors: InputError unless the overlap has the loops of the rim. Complexity: O(facets walked), O(s
+// log s) for a search over s facets. Ties by lexicographic corners.
 // Source: not treated in Woo & Dey 2005, section 3.3 (a cloud coarser than the model leaves gaps).
 Border trace_border(const ModelIndex& model, const CloudRim& rim, const Overlap& overlap,
                     const TraceOptions& options = {}, const Execution& execution = {});

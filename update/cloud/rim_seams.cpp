@@ -22,8 +22,8 @@ Vec3 outward(const RimLoop& loop, std::size_t i) {
 }
 
 // The samples near the places beyond the edges of all loops: few of the cloud.
-std::vector<Point> samples_beyond(Points cloud, const CloudRim& rim,
-                                  const RimSeamOptions& options) {
+std::vector<Point> samples_near_edges(Points cloud, const CloudRim& rim,
+                                      const RimSeamOptions& options) {
   std::vector<Point> places;
   const auto list = [&](const std::vector<RimLoop>& loops, double spacing) {
     for (const RimLoop& loop : loops) {
@@ -106,7 +106,7 @@ Point place_beyond(const RimLoop& loop, std::size_t i, double spacing) {
 
 void mark_rim_seams(Points cloud, CloudRim& rim, const RimSeamOptions& options) {
   require_options("mark_rim_seams", options);
-  const std::vector<Point> samples = samples_beyond(cloud, rim, options);
+  const std::vector<Point> samples = samples_near_edges(cloud, rim, options);
   std::optional<NearestPointTree> tree;
   if (!samples.empty()) tree.emplace(samples);
   // Returns how many edges have a few samples beyond them.

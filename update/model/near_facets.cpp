@@ -124,7 +124,7 @@ std::vector<ClosestFacet> closest_facets(const ModelIndex& model, Points points,
     const NearFacets near(model, centers, reach);
     const auto find = [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        closest[open[i]] = near.closest(centers[i], reach * reach, [](TriangleId) { return true; });
+        closest[open[i]] = near.closest(centers[i], reach * reach);
       }
     };
     parallel_chunks(execution, open.size(), points_per_chunk, find);

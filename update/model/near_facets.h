@@ -41,6 +41,10 @@ class NearFacets {
     });
     return best;
   }
+  // Of all of them.
+  ClosestFacet closest(const Point& p, double bound) const {
+    return closest(p, bound, [](TriangleId) { return true; });
+  }
 
  private:
   void improve(const Point& p, TriangleId t, ClosestFacet& best) const;

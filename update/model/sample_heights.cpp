@@ -22,7 +22,7 @@ std::vector<Point> with_moved_back(std::vector<Point> places, const Vec3& shift)
 // Infinity beyond the reach of the facets.
 double squared_height_as_it_lies(const NearFacets& near, const Point& sample) {
   const double bound = near.reach() * near.reach();
-  const ClosestFacet closest = near.closest(sample, bound, [](TriangleId) { return true; });
+  const ClosestFacet closest = near.closest(sample, bound);
   return closest.triangle.is_none() ? std::numeric_limits<double>::infinity()
                                     : closest.squared_distance;
 }

@@ -39,11 +39,7 @@ std::vector<Scan> scans_of(std::span<const std::vector<Point>> clouds,
 
 std::vector<CloudRim> border_rims_of(std::span<const CloudReport> clouds) {
   std::vector<CloudRim> rims = rims_of(clouds);
-  for (std::size_t c = 0; c < clouds.size(); ++c) {
-    for (std::size_t l = 0; l < rims[c].loops.size(); ++l) {
-      if (clouds[c].loops[l].match != LoopMatch::on_model) rims[c].loops[l] = {};
-    }
-  }
+  for (std::size_t c = 0; c < clouds.size(); ++c) keep_border_loops(clouds[c].loops, rims[c]);
   return rims;
 }
 

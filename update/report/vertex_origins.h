@@ -19,7 +19,8 @@ struct VertexOrigin {
 
 // The origin of each vertex of `result.mesh` as the update made it; a caller may have added others
 // behind these. Of equal points the first one: the model comes before
-// the clouds, and these in the order given. Precondition: result.status is ok.
+// the clouds, and these in the order given. Precondition: result.status is ok, and its
+// reconstruction tells the point of each vertex (that of a session's update does not).
 // Complexity: O(vertices of the model + points of the clouds).
 IdVector<VertexId, VertexOrigin> vertex_origins(const UpdateResult& result);
 
