@@ -4,6 +4,7 @@
 
 #include "cocone/inputs/stage_inputs.h"
 #include "cocone/reconstruct_steps.h"
+#include "geom/messages/require_number.h"
 
 namespace cocoon {
 
@@ -13,6 +14,7 @@ ReconstructOptions effective_options(ReconstructOptions options) {
   require_options("reconstruct", options.prune);
   require_options("reconstruct", options.good_vertices);
   require_options("reconstruct", options.clean_up);
+  require_shares("reconstruct", {{"max_contradicted_likely", options.max_contradicted_likely}});
   if (options.mode == Mode::paper) {
     options.boundary.radius_mode = RadiusMode::cocone;
     options.peel.deferred_seeding = false;

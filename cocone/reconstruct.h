@@ -53,6 +53,10 @@ struct ReconstructOptions {
   // reconstruct_tight_with_labels, where a mesh of another program tells: at most so often the
   // clean-up is done again where what it tells makes the surface touch itself. 0: it never yields.
   unsigned yield_rounds = 4;
+  // reconstruct_tight_with_labels, where something is likely (KnownLabels::likely): if more than
+  // this share of those cells lies on the other side of the surface, it is made again with them
+  // known. A few may, at slivers.
+  double max_contradicted_likely = 0.05;
   // Verify triangulation and surface (verify_surface.h) before they are believed. What is refuted
   // is not delivered: the mesh is left empty.
   bool verify = false;

@@ -247,48 +247,59 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
   const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
   KnownLabels told;
   if (in_doubt && known) told = known(*triangulation_, surface_.triangles.set, execution);
-  if (!told.undisturbed.empty()) return close_foreign(marks, told.labels, execution);
-  // The marking has asked already if good vertices disagreed.
-  if (marks.known.empty()) marks.known = told.labels;
-  if (told.likely.empty()) forget_links();
-  Body body = clean_up(std::move(marks), execution);
-  if (!told.likely.empty()) heed_likely(std::move(told), body, execution);
+  Attempt best;
+  if (!told.undisturbed.empty()) {
+    best = clean_up_foreign(marks, told.labels, execution);
+  } else {
+    if (told.likely.empty()) forget_links();
+    // The marking has asked already if good vertices disagreed.
+    if (marks.known.empty()) marks.known = told.labels;
+    best.body = clean_up(std::move(marks), execution);
+  }
+  if (!told.likely.empty()) heed_likely(std::move(told), best, execution);
   forget_links();
-  deliver(std::move(body), execution);
+  result_.counters.yielded_cells = best.yielded_cells;
+  deliver(std::move(best.body), execution);
 }
 
-void ReconstructSteps::heed_likely(KnownLabels told, Body& body, const Execution& execution) {
+void ReconstructSteps::heed_likely(KnownLabels told, Attempt& best, const Execution& execution) {
   ReconstructCounters& counters = result_.counters;
   counters.likely_cells = count_labels(told.likely);
-  counters.contradicted_likely = count_contradicted(told.likely, body.marks.reached);
-  if (counters.contradicted_likely == 0) return;
+  counters.contradicted_likely = count_contradicted(told.likely, best.body.marks.reached);
+  if (!(static_cast<double>(counters.contradicted_likely) >
+        options_.max_contradicted_likely * static_cast<double>(counters.likely_cells))) {
+    return;
+  }
+  const bool is_foreign = !told.undisturbed.empty();
   KnownLabels taken;
   taken.labels = with_likely(std::move(told));
   const auto source = [&](const auto&...) { return taken; };
   CellMarks marks = peel(mark_cells(*triangulation_, surface_.triangles,
                                     find_good_vertices(execution), source, execution),
                          execution);
-  if (marks.known.empty()) marks.known = taken.labels;
-  Body other = clean_up(std::move(marks), execution);
-  const auto roughness = [&](const Body& of) {
-    return surface_roughness(surface_between(*triangulation_, of.marks, execution),
+  Attempt other;
+  if (is_foreign) {
+    other = clean_up_yielding(marks, taken.labels, execution);
+  } else {
+    if (marks.known.empty()) marks.known = taken.labels;
+    other.body = clean_up(std::move(marks), execution);
+  }
+  const auto roughness = [&](const Attempt& of) {
+    return surface_roughness(surface_between(*triangulation_, of.body.marks, execution),
                              result_.vertices);
   };
-  if (!roughness(other).is_at_most(roughness(body))) return;
+  if (!roughness(other).is_at_most(roughness(best))) return;
   counters.heeded_likely = counters.likely_cells;
-  body = std::move(other);
+  best = std::move(other);
 }
 
-void ReconstructSteps::close_foreign(const CellMarks& marks,
-                                     const IdVector<CellId, CellLabel>& told,
-                                     const Execution& execution) {
+ReconstructSteps::Attempt ReconstructSteps::clean_up_foreign(
+    const CellMarks& marks, const IdVector<CellId, CellLabel>& told,
+    const Execution& execution) const {
   require_size("reconstruct_tight_with_labels", "labels of cells that are known beforehand",
                told.size(), triangulation_->num_cells());
-  Attempt best = marks.known.empty() ? clean_up_yielding(marks, told, execution)
-                                     : with_or_without(marks, told, execution);
-  forget_links();
-  result_.counters.yielded_cells = best.yielded_cells;
-  deliver(std::move(best.body), execution);
+  return marks.known.empty() ? clean_up_yielding(marks, told, execution)
+                             : with_or_without(marks, told, execution);
 }
 
 ReconstructSteps::Attempt ReconstructSteps::with_or_without(const CellMarks& asked,

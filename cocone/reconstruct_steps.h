@@ -92,12 +92,12 @@ class ReconstructSteps {
   CellMarks peel(CellMarks marks, const Execution& execution) const;
   // All that follows the marking.
   void close_by(CellMarks marks, const KnownLabelsSource& known, const Execution& execution);
-  // Makes the body again with what is likely taken for known, if that contradicts it, and takes it
-  // if its surface is no rougher.
-  void heed_likely(KnownLabels told, Body& body, const Execution& execution);
-  // All that follows the peel, where a mesh that is none of ours (KnownLabels::undisturbed) tells.
-  void close_foreign(const CellMarks& marks, const IdVector<CellId, CellLabel>& told,
-                     const Execution& execution);
+  // Makes the body again with what is likely taken for known, if too much of that contradicts it,
+  // and takes it if its surface is no rougher.
+  void heed_likely(KnownLabels told, Attempt& best, const Execution& execution);
+  // What follows the peel, where a mesh that is none of ours (KnownLabels::undisturbed) tells.
+  Attempt clean_up_foreign(const CellMarks& marks, const IdVector<CellId, CellLabel>& told,
+                           const Execution& execution) const;
   // Where the marking has asked it: such a mesh cuts sharp edges otherwise than the facets do, and
   // refutes many good vertices. So the marking is done once more without. What it told is taken
   // only if those marks contradict each other, and if fewer samples are unused then or, of as many,
