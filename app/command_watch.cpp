@@ -103,7 +103,7 @@ class Watch {
     job_.report().set("watch/applied", applied_);
     job_.report().set("watch/refused", refused);
     job_.report().set("watch/known", known_.size());
-    add_cloud_filter(job_.report(), filter_, thinned_);
+    report_cloud_filter(job_.report(), filter_, thinned_);
     add_update_parameters(job_.report(), options_);
     add_model(job_.report(), session_.session().reconstruction(), session_.model(),
               mesh_check(session_.model(), {}, job_.execution()));

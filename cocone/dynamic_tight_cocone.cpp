@@ -266,9 +266,9 @@ bool DynamicTightCocone::State::take_body(const Triangulation& triangulation,
 // The same faster where the body that the old surface bounds is kept.
 KnownLabelsSource DynamicTightCocone::State::labels_of(const OldSurface& old) const {
   if (!old.labels || !old.triangles.at || !kept.body.exists()) return old.labels;
-  return [&](const Triangulation& triangulation, const auto&...) {
+  return [&](const Triangulation& triangulation, const FacetSet&, const Execution& execution) {
     return kept_labels(triangulation, delaunay.cells_at_vertices(), kept.body.before(triangulation),
-                       old);
+                       old, execution);
   };
 }
 

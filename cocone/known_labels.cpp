@@ -19,10 +19,10 @@ namespace {
 class Telling {
  public:
   Telling(const Triangulation& triangulation, std::span<const KnownTriangle> triangles,
-          const FacetSet& likely, const Execution& execution)
+          const FacetSet& surface, const Execution& execution)
       : triangulation_(triangulation),
         triangles_(triangles),
-        likely_(likely),
+        surface_(surface),
         execution_(execution),
         old_(triangulation, triangles, execution),
         at_(triangulation.num_vertices(), 0) {}
@@ -48,7 +48,7 @@ class Telling {
   // The old triangles that are facets: most of them are likely ones.
   void find_facets() {
     find_facets([&](std::size_t begin, std::size_t end, std::vector<Found>& found) {
-      likely_.for_each(triangulation_, begin, end, [&](FacetId f) { old_.find(f, found); });
+      surface_.for_each(triangulation_, begin, end, [&](FacetId f) { old_.find(f, found); });
     });
     if (list_corners_of_missing()) {
       find_facets([&](std::size_t begin, std::size_t end, std::vector<Found>& found) {
@@ -85,7 +85,7 @@ class Telling {
     for (int i = 0; i < 4; ++i) {
       const FacetId f = facet_id(c, i);
       const bool has_corners = (corners | 1U << i) == 15U;
-      if (has_corners && f < triangulation_.mirror(f) && !likely_.contains(f)) {
+      if (has_corners && f < triangulation_.mirror(f) && !surface_.contains(f)) {
         old_.find(f, found);
       }
     }
@@ -216,7 +216,7 @@ class Telling {
 
   const Triangulation& triangulation_;
   std::span<const KnownTriangle> triangles_;
-  const FacetSet& likely_;
+  const FacetSet& surface_;
   const Execution& execution_;
   OldTriangles old_;
   IdVector<VertexId, std::uint8_t> at_;  // flags
@@ -227,11 +227,11 @@ class Telling {
 }  // namespace
 
 KnownLabels known_labels(const Triangulation& triangulation,
-                         std::span<const KnownTriangle> triangles, const FacetSet& likely,
+                         std::span<const KnownTriangle> triangles, const FacetSet& surface,
                          const Execution& execution) {
-  require_facets("known_labels", triangulation, likely);
+  require_facets("known_labels", triangulation, surface);
   if (triangles.empty()) return {};
-  return Telling(triangulation, triangles, likely, execution).run();
+  return Telling(triangulation, triangles, surface, execution).run();
 }
 
 }  // namespace cocoon

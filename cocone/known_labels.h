@@ -53,7 +53,8 @@ struct KnownTriangles {
 };
 
 // Adds what is likely, beside what is known.
-using LikelyLabels = std::function<void(const Triangulation& triangulation, KnownLabels& known)>;
+using AddLikely = std::function<void(const Triangulation& triangulation, KnownLabels& known,
+                                     const Execution& execution)>;
 
 // An old surface, and what is known of it.
 struct OldSurface {
@@ -62,7 +63,7 @@ struct OldSurface {
   // bounds is kept from one update to the next.
   KnownTriangles triangles = {};
   // What `labels` has of likely ones, for the same; none: nothing.
-  LikelyLabels likely = {};
+  AddLikely add_likely = {};
 };
 
 // Of a vertex:
@@ -78,12 +79,12 @@ struct OldSurface {
 // bound a union of cells, no cell is told both. Without triangles nothing is known.
 // A cell is undisturbed if one of its vertices is, and the triangles at the others leave no gap;
 // none of them is intact, or it would have told something.
-// Triangles are looked for in `likely` first, which changes nothing else. Errors: InputError for
+// Triangles are looked for in `surface` first, which changes nothing else. Errors: InputError for
 // one of another triangulation, by its size. Complexity: O(cells + t) for t triangles, for bounded
 // valence; in part parallel. Deterministic: independent of their order and of the threads. Source:
 // ours, docs/stages/mark_cells.md.
 KnownLabels known_labels(const Triangulation& triangulation,
-                         std::span<const KnownTriangle> triangles, const FacetSet& likely,
+                         std::span<const KnownTriangle> triangles, const FacetSet& surface,
                          const Execution& execution = {});
 
 }  // namespace cocoon

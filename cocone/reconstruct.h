@@ -97,7 +97,7 @@ struct ReconstructCounters {
   std::size_t known_cells = 0;          // labeled beforehand, see mark_cells.h
   std::size_t likely_cells = 0;         // of which something is likely (known_labels.h),
   std::size_t contradicted_likely = 0;  // those on the other side of the surface without it,
-  std::size_t heeded_likely = 0;        // and those that were taken for known therefore
+  std::size_t heeded_likely = 0;        // and those taken for known therefore, all or none
   // Told by a mesh of another program, but left to good vertices, since the surface would touch
   // itself.
   std::size_t yielded_cells = 0;
@@ -157,8 +157,10 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
 // spacing, neither the marking nor the clean-up decides labels that are known otherwise. Those of a
 // mesh of another program (KnownLabels::undisturbed) need not fit: the marking heeds them only if
 // fewer samples are unused then, or fewer vertices contradicted, and where the surface would touch
-// itself they yield to good vertices (yielded_cells). Where nothing is in doubt `known` is not
-// asked; nor is it in paper mode. It is asked once at most.
+// itself they yield to good vertices (yielded_cells). What is likely (KnownLabels::likely) is taken
+// for known, too, if the surface contradicts it otherwise, and is no rougher then
+// (marking/likely_labels.h): in that case all after the extraction is done twice. Where nothing is
+// in doubt `known` is not asked; nor is it in paper mode. It is asked once at most.
 ReconstructResult reconstruct_tight_with_labels(Points points, const KnownLabelsSource& known,
                                                 const ReconstructOptions& options = {},
                                                 const Execution& execution = {});

@@ -279,14 +279,14 @@ void ReconstructSteps::heed_likely(KnownLabels told, Attempt& best, const Execut
                          execution);
   Attempt other;
   if (is_foreign) {
-    other = clean_up_yielding(marks, taken.labels, execution);
+    other = clean_up_foreign(marks, taken.labels, execution);
   } else {
     if (marks.known.empty()) marks.known = taken.labels;
     other.body = clean_up(std::move(marks), execution);
   }
   const auto roughness = [&](const Attempt& of) {
     return surface_roughness(surface_between(*triangulation_, of.body.marks, execution),
-                             result_.vertices);
+                             result_.vertices, execution);
   };
   if (!roughness(other).is_at_most(roughness(best))) return;
   counters.heeded_likely = counters.likely_cells;

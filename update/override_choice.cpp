@@ -72,22 +72,25 @@ bool RegionOverrides::decides(const CloudChoice& cloud) const {
          std::all_of(cloud.regions.begin(), cloud.regions.end(), is_named);
 }
 
-void override_choice(const RegionOverrides& overrides, RegionChoice& choice) {
+void override_choice(const RegionOverrides& overrides, RegionChoice& choice,
+                     std::span<const RegionId> islands) {
   if (overrides.is_empty()) return;
   require_overrides(overrides, choice.replaced.size());
   if (choice.status == ChoiceStatus::ambiguous) settle(overrides, choice);
   if (choice.status == ChoiceStatus::ambiguous) return;
-  // Kept since no other was: that is to be asked again.
-  const RegionId kept_largest = std::exchange(choice.kept_largest, {});
-  if (!kept_largest.is_none()) choice.replaced[kept_largest] = 1;
+  const bool stays_another =
+      std::any_of(overrides.kept.begin(), overrides.kept.end(), [&](RegionId r) {
+        return r != choice.kept_largest &&
+               std::find(islands.begin(), islands.end(), r) == islands.end();
+      });
+  if (!choice.kept_largest.is_none() && stays_another) {
+    choice.replaced[std::exchange(choice.kept_largest, {})] = 1;
+  }
   set_fate(overrides.replaced, true, choice);
   set_fate(overrides.kept, false, choice);
-  if (std::count(choice.replaced.begin(), choice.replaced.end(), 0) != 0) return;
-  if (kept_largest.is_none() || has(overrides.replaced, kept_largest)) {
+  if (std::count(choice.replaced.begin(), choice.replaced.end(), 0) == 0) {
     throw InputError("all groups would be replaced; keep one of them");
   }
-  choice.kept_largest = kept_largest;
-  choice.replaced[kept_largest] = 0;
 }
 
 }  // namespace cocoon

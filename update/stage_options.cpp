@@ -249,6 +249,7 @@ void require_options(const char* stage, const UpdateOptions& options) {
   require_options(stage, options.choice);
   require_options(stage, options.sampled);
   require_options(stage, options.islands);
+  require_options(stage, options.sight);
   require_options(stage, options.replace);
   require_options(stage, options.overlooked);
   require_options(stage, options.unscanned);

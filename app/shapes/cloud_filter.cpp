@@ -38,7 +38,8 @@ CloudFilter cloud_filter(const CloudFilterArguments& arguments) {
 
 StageOptions cloud_filter_defaults() { return stages_of({}); }
 
-void add_cloud_filter(JsonReport& report, const CloudFilter& filter, std::size_t thinned_points) {
+void report_cloud_filter(JsonReport& report, const CloudFilter& filter,
+                         std::size_t thinned_points) {
   add_thinning(report, filter.thin, thinned_points);
   if (filter.strays) add_thresholds(report, ThresholdUse::outliers, stages_of(*filter.strays));
 }
@@ -85,7 +86,7 @@ std::vector<StraySamples> filter_clouds(Job& job, const CloudFilter& filter,
     thinned += thin_input(job, names[c], filter.thin, clouds[c],
                           properties.empty() ? nullptr : &properties[c]);
   }
-  add_cloud_filter(job.report(), filter, thinned);
+  report_cloud_filter(job.report(), filter, thinned);
   std::vector<StraySamples> all;
   if (!filter.strays) return all;
   for (std::size_t c = 0; c < clouds.size(); ++c) {

@@ -29,7 +29,7 @@ CloudFilter cloud_filter(const CloudFilterArguments& arguments);
 StageOptions cloud_filter_defaults();
 
 // The options of the filter, in the section "parameters", and "input/thinned_points".
-void add_cloud_filter(JsonReport& report, const CloudFilter& filter, std::size_t thinned_points);
+void report_cloud_filter(JsonReport& report, const CloudFilter& filter, std::size_t thinned_points);
 
 // What was left out of one cloud, as an entry of "noise/clouds" of the report.
 void append_strays(JsonReport& report, const StraySamples& strays, std::size_t kept_points);

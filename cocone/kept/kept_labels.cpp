@@ -137,9 +137,9 @@ class KeptLabels {
 
 KnownLabels kept_labels(const Triangulation& triangulation,
                         const IdVector<VertexId, CellId>& cell_at, BodyBefore before,
-                        const OldSurface& old) {
+                        const OldSurface& old, const Execution& execution) {
   KnownLabels known = KeptLabels(triangulation, cell_at, std::move(before), old.triangles).run();
-  if (old.likely) old.likely(triangulation, known);
+  if (old.add_likely) old.add_likely(triangulation, known, execution);
   return known;
 }
 

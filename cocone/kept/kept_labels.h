@@ -26,6 +26,6 @@ struct BodyBefore {
 // vertices that are asked. Source: ours, docs/stages/live_update.md.
 KnownLabels kept_labels(const Triangulation& triangulation,
                         const IdVector<VertexId, CellId>& cell_at, BodyBefore before,
-                        const OldSurface& old);
+                        const OldSurface& old, const Execution& execution = {});
 
 }  // namespace cocoon

@@ -32,12 +32,14 @@ IdVector<CellId, CellLabel> with_likely(KnownLabels known) {
   return std::move(known.labels);
 }
 
-SurfaceRoughness surface_roughness(const SurfaceMesh& surface, std::size_t vertices) {
+SurfaceRoughness surface_roughness(const SurfaceMesh& surface, std::size_t vertices,
+                                   const Execution& execution) {
   const TriangleMesh& mesh = surface.mesh;
-  const std::size_t parts = edge_components(mesh, link_halfedges(mesh)).components.size();
+  const std::size_t parts =
+      edge_components(mesh, link_halfedges(mesh, execution), execution).components.size();
   const auto euler = static_cast<std::ptrdiff_t>(mesh.points.size()) -
                      static_cast<std::ptrdiff_t>(mesh.triangles.size() / 2);
-  return {3 * static_cast<std::ptrdiff_t>(parts) - euler, vertices - mesh.points.size()};
+  return {parts, 2 * static_cast<std::ptrdiff_t>(parts) - euler, vertices - mesh.points.size()};
 }
 
 }  // namespace cocoon

@@ -8,6 +8,7 @@
 #include "cocone/known_labels.h"
 #include "cocone/marking/cell_label.h"
 #include "cocone/surface_mesh.h"
+#include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 
@@ -26,17 +27,20 @@ IdVector<CellId, CellLabel> with_likely(KnownLabels known);
 
 // How much of a closed surface needs an explanation.
 struct SurfaceRoughness {
-  // Parts and, twice, handles: 3 parts - (V - T / 2), so edges and vertices where it touches itself
-  // count as well.
-  std::ptrdiff_t topology = 0;
+  std::size_t parts = 0;
+  // 2 parts - (V - T / 2): edges and vertices where it touches itself count as well.
+  std::ptrdiff_t twice_handles = 0;
   std::size_t unused_vertices = 0;  // of the triangulation
 
+  // In each of the three.
   bool is_at_most(const SurfaceRoughness& other) const {
-    return topology <= other.topology && unused_vertices <= other.unused_vertices;
+    return parts <= other.parts && twice_handles <= other.twice_handles &&
+           unused_vertices <= other.unused_vertices;
   }
 };
 
 // `vertices`: of the triangulation. Complexity: O(t) for t triangles, near linear.
-SurfaceRoughness surface_roughness(const SurfaceMesh& surface, std::size_t vertices);
+SurfaceRoughness surface_roughness(const SurfaceMesh& surface, std::size_t vertices,
+                                   const Execution& execution = {});
 
 }  // namespace cocoon

@@ -36,7 +36,7 @@ T parallel_reduce(const Execution& execution, std::size_t count, const T& identi
 }
 
 // The smallest index below `count` for which holds(index) is false; `count` if there is none.
-// Complexity: a call for each index up to there, and beyond for at most a chunk of each thread.
+// Complexity: a call for each index up to there, and beyond in chunks begun before it was found.
 template <class Holds>
 std::size_t first_failing(const Execution& execution, std::size_t count, const Holds& holds) {
   std::atomic<std::size_t> first{count};

@@ -109,6 +109,12 @@ TEST(OverrideChoice, TheOneThatWasKeptLastIsDecidedAnew) {
   EXPECT_EQ(choice.kept_largest, RegionId(1));
 
   choice = choice_of_all();
+  const std::vector<RegionId> islands = {RegionId(0)};
+  override_choice({.kept = {RegionId(0)}}, choice, islands);
+  EXPECT_EQ(replaced(choice), (std::vector<int>{0, 0}));
+  EXPECT_EQ(choice.kept_largest, RegionId(1));
+
+  choice = choice_of_all();
   EXPECT_THROW(override_choice({.replaced = {RegionId(1)}}, choice), InputError);
 }
 

@@ -15,10 +15,10 @@ OldSurface KeptSurface::told() const {
                        const Execution& execution) {
     KnownLabels known = known_labels(triangulation, triangles(), surface, execution);
     if (!known.undisturbed.empty()) tell_by_model(triangulation, known, execution);
-    if (seen_) seen_(triangulation, known);
+    if (seen_) seen_(triangulation, known, execution);
     return known;
   };
-  told.likely = seen_;
+  told.add_likely = seen_;
   if (replacement_.kept_are_distinct) {
     told.triangles.torn = [this] { return torn(); };
     told.triangles.at = [this](std::span<const PointId> points) { return at(points); };

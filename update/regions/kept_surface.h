@@ -22,7 +22,7 @@ namespace cocoon {
 class KeptSurface {
  public:
   KeptSurface(const ModelIndex& model, const Regions& regions, const RegionChoice& choice,
-              const Replacement& replacement, LikelyLabels seen = {})
+              const Replacement& replacement, AddLikely seen = {})
       : model_(model),
         regions_(regions),
         choice_(choice),
@@ -55,7 +55,7 @@ class KeptSurface {
   const Regions& regions_;
   const RegionChoice& choice_;
   const Replacement& replacement_;
-  LikelyLabels seen_;
+  AddLikely seen_;
 };
 
 }  // namespace cocoon

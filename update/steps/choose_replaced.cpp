@@ -70,7 +70,7 @@ void take_islands(UpdateRun& run) {
 void take_overrides(UpdateRun& run) {
   RegionChoice& choice = run.result.choice;
   if (run.are_joined() && choice.status == ChoiceStatus::ambiguous) return;
-  override_choice(run.options.overrides, choice);
+  override_choice(run.options.overrides, choice, run.result.islands);
   std::erase_if(run.result.islands, [&](RegionId r) { return choice.replaced[r] == 0; });
 }
 

@@ -24,11 +24,13 @@ void fail_empty(UpdateRun& run) {
 }
 
 // From the samples of all clouds to facets that go. `scale`: of the coordinates.
-std::vector<Sight> sights_of(const UpdateRun& run, double scale) {
+std::vector<Sight> sights_of(const UpdateRun& run, double scale, const Execution& execution) {
   const std::vector<Scan> scans = scans_of(run.clouds, run.result.clouds);
   const OutwardNormals outward = run.outward();
   std::vector<Sight> sights;
   for (std::size_t c = 0; c < run.clouds.size(); ++c) {
+    report_progress(execution, "sights",
+                    static_cast<double>(c) / static_cast<double>(scans.size()));
     if (scans[c].samples.empty()) continue;
     for (const Disproof& d :
          disproofs(*run.index, scans[c], outward(c), run.options.cut.disproved)) {
@@ -38,7 +40,18 @@ std::vector<Sight> sights_of(const UpdateRun& run, double scale) {
                         scale * scans[c].spacing});
     }
   }
+  report_progress(execution, "sights", 1);
   return sights;
+}
+
+// None if nothing is to be said to have been seen.
+AddLikely add_seen(const UpdateRun& run) {
+  if (run.options.sight.step == 0) return {};
+  return
+      [&run](const Triangulation& triangulation, KnownLabels& known, const Execution& execution) {
+        const double scale = working_scale(run.result.replacement.points);
+        add_seen_cells(triangulation, sights_of(run, scale, execution), run.options.sight, known);
+      };
 }
 
 }  // namespace
@@ -50,11 +63,7 @@ void reconstruct_updated(UpdateRun& run, const UpdateParts& parts, const Executi
                                       run.given, run.options.replace);
   const std::vector<NearestPointTree> trees = nearest_point_trees(run.clouds, execution);
   const KeptSurface kept(*run.index, result.regions, result.choice, result.replacement,
-                         [&](const Triangulation& triangulation, KnownLabels& known) {
-                           const std::vector<Sight> sights =
-                               sights_of(run, working_scale(result.replacement.points));
-                           add_seen_cells(triangulation, sights, run.options.sight, known);
-                         });
+                         add_seen(run));
   UpdatedSurface surface = parts.reconstruct(result.replacement, kept.told(), execution);
   result.reconstruction = std::move(surface.result);
   if (result.reconstruction.status == SurfaceStatus::refuted) {

@@ -21,7 +21,7 @@ Separation separation_in(const UpdateRun& run, std::size_t c, std::size_t l,
   return loop_sides(run.model, run.index->neighbors(), run.borders[c].loops[l], regions).separation;
 }
 
-// By the whole borders of all clouds, segmented once until borders are traced anew.
+// By the whole borders of all clouds, segmented once until they are taken, or traced anew.
 const Regions& whole_regions(UpdateRun& run, const Execution& execution) {
   if (!run.whole_regions) {
     run.whole_regions =

@@ -26,9 +26,10 @@ namespace cocoon {
 // What tells which sides of a cloud's rim lie under it.
 enum class ToldBy : std::uint8_t { rim, samples, sure_angles };
 
-// The steps are functions in this folder, called in this order, each once, as long as the one
-// before returned true; false: the result is final.
+// The steps are called in this order, each once, as long as the one before has not failed (false,
+// or none):
 //   detect_boundaries  find_overlap  segment_under_clouds  choose_replaced  reconstruct_updated
+// From the third to the fourth go the angles at the rims; all else is here.
 // Clouds are those that were joined; take_result() tells of those given. Model, clouds and options
 // must outlive the object.
 struct UpdateRun {

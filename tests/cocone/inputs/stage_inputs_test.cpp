@@ -199,6 +199,7 @@ TEST(StageInputs, OptionsOutOfRangeAreRefused) {
   EXPECT_THROW(prune_sharp_edges(t, s.candidates, {.keep_cosine = nan}), InputError);
   EXPECT_THROW(good_vertices(s.triangles, s.boundary, {.fold_cosine = nan}), InputError);
   EXPECT_THROW(good_vertices(s.triangles, s.boundary, {.crease_cosine = nan}), InputError);
+  EXPECT_THROW(effective_options({.max_contradicted_likely = 1.5}), InputError);
   for (const CleanUpOptions& options :
        {CleanUpOptions{.stretch_cost = -1}, CleanUpOptions{.evidence_weight = nan},
         CleanUpOptions{.thin_support = 5}, CleanUpOptions{.deep_cosine = 60},

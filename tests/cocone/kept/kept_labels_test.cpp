@@ -81,7 +81,7 @@ class Following {
                                     });
                        return found;
                      }};
-    old.likely = [](const Triangulation& of, KnownLabels& so_far) {
+    old.add_likely = [](const Triangulation& of, KnownLabels& so_far, const Execution&) {
       so_far.likely = IdVector<CellId, CellLabel>(of.num_cells(), CellLabel::in);
     };
     const KnownLabels actual = kept_labels(triangulation, live_.delaunay().cells_at_vertices(),
