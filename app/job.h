@@ -1,6 +1,7 @@
 // What every command has: how it runs, where its results go.
 #pragma once
 
+#include <deque>
 #include <fmt/format.h>
 #include <set>
 #include <string>
@@ -9,6 +10,7 @@
 #include "app/command_line.h"
 #include "app/console/progress_line.h"
 #include "app/console/stage_clock.h"
+#include "app/files/output_folder.h"
 #include "app/json_report.h"
 #include "geom/execution.h"
 #include "io/atomic_file.h"
@@ -44,6 +46,9 @@ class Job {
   // The first one that nobody has seen, which may explain why the command fails; empty: none.
   const std::string& unseen_warning() const { return unseen_warning_; }
 
+  // Makes a folder for outputs. What was made of it goes again if nothing is in it when the job
+  // ends. Throws FileError.
+  void make_folder(const std::string& path);
   // Where the outputs wait until all of them are complete.
   FileBatch* outputs() { return &outputs_; }
   // Warns of meshes in a batch whose files are other surfaces than the program told of, since
@@ -70,6 +75,7 @@ class Job {
   ProgressLine progress_line_;
   StageClock clock_;
   JsonReport report_;
+  std::deque<OutputFolder> folders_;  // before the outputs, which may have files there to the end
   FileBatch outputs_;
   std::vector<std::string> warnings_;
   std::set<std::string> rounded_;  // files that were warned of

@@ -227,31 +227,6 @@ void require_folder(const std::string& path) {
   throw FileError(path + ": there is no such folder; make it first");
 }
 
-namespace {
-
-// From the innermost on, until something is in one.
-void remove_empty(const std::vector<fs::path>& folders) {
-  std::error_code error;
-  for (const fs::path& folder : folders) fs::remove(folder, error);
-}
-
-}  // namespace
-
-OutputFolder::OutputFolder(const std::string& path) {
-  require_possible_name(path);
-  std::error_code error;
-  for (fs::path folder = fs::absolute(path); !fs::exists(folder, error) && !error;
-       folder = folder.parent_path()) {
-    made_.push_back(folder);
-  }
-  fs::create_directories(path, error);
-  if (!error) return;
-  remove_empty(made_);
-  throw FileError(path + ": cannot make this folder: " + error.message() + "; name another one");
-}
-
-OutputFolder::~OutputFolder() { remove_empty(made_); }
-
 std::string in_folder(const std::string& folder, const std::string& name) {
   return (fs::path(folder) / name).string();
 }

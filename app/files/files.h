@@ -42,19 +42,6 @@ void require_possible_name(const std::string& path);
 // Throws FileError if there is no such folder.
 void require_folder(const std::string& path);
 
-// A folder for outputs. What was made of it, and is empty in the end, is taken away again.
-class OutputFolder {
- public:
-  // Makes the folder, and those it lies in, if needed. Throws FileError.
-  explicit OutputFolder(const std::string& path);
-  ~OutputFolder();
-  OutputFolder(const OutputFolder&) = delete;
-  OutputFolder& operator=(const OutputFolder&) = delete;
-
- private:
-  std::vector<std::filesystem::path> made_;  // the innermost first
-};
-
 // "FOLDER/NAME"
 std::string in_folder(const std::string& folder, const std::string& name);
 
