@@ -12,7 +12,6 @@ namespace cocoon::app {
 void run(const DemoArguments& arguments, Job& job) {
   const auto output = [&](const char* name) { return in_folder(arguments.folder, name); };
   const bool is_asked_for = place_of(job.shared().json) == place_of(output("report.json"));
-  require_possible_name(arguments.folder);
   job.make_folder(arguments.folder);
   require_outputs(job, {{output("initial.ply")},
                         {output("cloud.ply")},

@@ -11,7 +11,6 @@ namespace cocoon::app {
 
 void run(const SampleArguments& arguments, Job& job) {
   const std::string folder = arguments.folder.empty() ? arguments.name : arguments.folder;
-  require_possible_name(folder);
   job.make_folder(folder);
   const auto cloud_file = [&](std::size_t c) {
     return in_folder(folder, fmt::format("cloud-{}.xyz", c + 1));

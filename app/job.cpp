@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include "app/console/standard_streams.h"
+#include "app/files/files.h"
 #include "geom/messages/counted.h"
 #include "io/file_format.h"
 
@@ -37,7 +38,10 @@ void Job::warn(const std::string& warning) {
 }
 
 // Floats are written to binary STL, and to PLY with --float.
-void Job::make_folder(const std::string& path) { folders_.emplace_back(path); }
+void Job::make_folder(const std::string& path) {
+  require_possible_name(path);
+  folders_.emplace_back(path);
+}
 
 void Job::warn_of_rounding(FileBatch& batch) {
   for (const RoundedFile& file : batch.take_rounded()) {

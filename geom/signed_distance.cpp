@@ -10,6 +10,7 @@
 #include "geom/mesh/halfedges.h"
 #include "geom/search/closest_facet.h"
 #include "geom/search/winding_number.h"
+#include "geom/triangle_normal.h"
 #include "geom/triangle_projection.h"
 #include "geom/working_scale.h"
 
@@ -26,7 +27,7 @@ class Pseudonormals {
       : mesh_(mesh), rings_(std::move(rings)), of_vertex_(mesh.points.size()) {
     for (const TriangleId t : mesh.triangles.ids()) {
       const TrianglePoints p = corners_of(mesh, t);
-      of_facet_.push_back(unit(cross(p[1] - p[0], p[2] - p[0])));
+      of_facet_.push_back(unit(area_normal(p[0], p[1], p[2])));
       for (std::size_t i = 0; i < 3; ++i) {
         const Vec3 u = p[(i + 1) % 3] - p[i];
         const Vec3 v = p[(i + 2) % 3] - p[i];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "geom/triangle_normal.h"
+
 namespace cocoon {
 
 namespace {
@@ -69,7 +71,7 @@ PlaneProjection project_to_narrow(const Point& p, const TrianglePoints& triangle
 
 PlaneProjection project_to_triangle_plane(const Point& p, const TrianglePoints& triangle) {
   const auto& [v0, v1, v2] = triangle;
-  const Vec3 area = cross(v1 - v0, v2 - v0);
+  const Vec3 area = area_normal(v0, v1, v2);
   const double squared_edge =
       std::max({squared_norm(v1 - v0), squared_norm(v2 - v1), squared_norm(v0 - v2)});
   if (!(norm(area) > least_area * squared_edge)) return project_to_narrow(p, triangle);

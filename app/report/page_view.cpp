@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "geom/triangle_normal.h"
+
 namespace cocoon::app {
 
 namespace {
@@ -36,7 +38,7 @@ PageView view_towards(std::span<const std::array<Point, 3>> triangles,
                       const PageViewOptions& options) {
   std::vector<Vec3> areas;
   areas.reserve(triangles.size());
-  for (const auto& [a, b, c] : triangles) areas.push_back(0.5 * cross(b - a, c - a));
+  for (const auto& [a, b, c] : triangles) areas.push_back(0.5 * area_normal(a, b, c));
 
   const std::vector<PageView> views = views_around();
   std::vector<double> shown;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cocone/marking/pass_labels.h"
 #include "geom/mesh_check.h"
 #include "geom/messages/require_size.h"
 
@@ -96,10 +97,10 @@ class WantedFacets {
     constexpr std::uint8_t unknown = 2;
     IdVector<CellId, std::uint8_t> inside(triangulation.num_cells(), unknown);
     for (const CellId c : triangulation.infinite_cells()) inside[c] = 0;
-    // In the order of memory, to and fro: cells that are neighbors lie near each other.
+    // In the order of memory: cells that are neighbors lie near each other.
     std::vector<CellId> left(triangulation.num_finite_cells());
     for (std::size_t k = 0; k < left.size(); ++k) left[k] = CellId(k);
-    const auto is_told = [&](CellId c) {
+    const auto take_label = [&](CellId c) {
       for (int i = 0; i < 4 && inside[c] == unknown; ++i) {
         const std::uint8_t behind = inside[triangulation.neighbor(c, i)];
         if (behind == unknown) continue;
@@ -107,11 +108,7 @@ class WantedFacets {
       }
       return inside[c] != unknown;
     };
-    for (std::size_t before = left.size() + 1; left.size() < before;) {
-      before = left.size();
-      std::erase_if(left, is_told);
-      std::reverse(left.begin(), left.end());
-    }
+    pass_labels(left, take_label);
     return inside;
   }
 

@@ -10,6 +10,7 @@
 #include "cocone/facets/cell_order.h"
 #include "cocone/facets/facet_size.h"
 #include "delaunay/circulate.h"
+#include "geom/triangle_normal.h"
 
 namespace cocoon {
 namespace {
@@ -19,7 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Of a facet, unoriented: the same bits from both sides. Its length is twice the area.
 Vec3 normal_of(const Triangulation& triangulation, FacetId f) {
   const std::array<Point, 3> p = sorted_corners(triangulation, f);
-  return cross(p[1] - p[0], p[2] - p[0]);
+  return area_normal(p[0], p[1], p[2]);
 }
 
 // A list whose first elements need no memory of their own.

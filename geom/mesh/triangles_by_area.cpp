@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "geom/random/random_point.h"
+#include "geom/triangle_normal.h"
 
 namespace cocoon {
 
@@ -11,7 +12,7 @@ namespace cocoon {
 double area_of(const TriangleMesh& mesh, TriangleId triangle) {
   constexpr double smallest_square = 0x1p-960;  // relative to which subnormal numbers are nothing
   const auto [a, b, c] = corners_of(mesh, triangle);
-  const Vec3 across = cross(b - a, c - a);
+  const Vec3 across = area_normal(a, b, c);
   if (squared_norm(across) >= smallest_square) return norm(across) / 2;
   const double largest = max_norm(across);
   return largest > 0 ? largest * norm(across / largest) / 2 : 0;

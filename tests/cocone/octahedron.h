@@ -40,6 +40,15 @@ struct Octahedron {
     }
     return set;
   }
+  // The hull, and an inner facet that hangs into it from the edge (1,0,0)-(0,1,0).
+  FacetSet hull_with_flap() const {
+    const VertexId x = vertex({1, 0, 0});
+    const VertexId y = vertex({0, 1, 0});
+    const VertexId center = vertex({0, 0, 0});
+    return facets([&](FacetId f) {
+      return on_hull(f) || (contains(f, x) && contains(f, y) && contains(f, center));
+    });
+  }
   bool contains(FacetId f, VertexId v) const {
     const auto corners = triangulation.facet_vertices(f);
     return std::find(corners.begin(), corners.end(), v) != corners.end();

@@ -22,13 +22,7 @@ TEST(PruneSharpEdges, AFlapStaysWhereItsFreeEdgesHaveNoUmbrella) {
   // edge with three candidates; its other edges, with one candidate, end at the center, which has
   // no umbrella: pruning does not touch it.
   const Octahedron o;
-  const VertexId x = o.vertex({1, 0, 0});
-  const VertexId y = o.vertex({0, 1, 0});
-  const VertexId center = o.vertex({0, 0, 0});
-  const FacetSet flap = o.facets([&](FacetId f) {
-    return o.on_hull(f) || (o.contains(f, x) && o.contains(f, y) && o.contains(f, center));
-  });
-  const PrunedCandidates guarded = prune_sharp_edges(o.triangulation, flap);
+  const PrunedCandidates guarded = prune_sharp_edges(o.triangulation, o.hull_with_flap());
   EXPECT_EQ(guarded.pruned, 0U);
   EXPECT_EQ(guarded.umbrellas, 6U);
 }

@@ -96,11 +96,7 @@ TEST(Umbrella, AThirdTriangleAtASpokeMakesAVertexPoorButLeavesItsUmbrella) {
   const Octahedron o;
   const VertexId x = o.vertex({1, 0, 0});
   const VertexId y = o.vertex({0, 1, 0});
-  const VertexId center = o.vertex({0, 0, 0});
-  const FacetSet flap = o.facets([&](FacetId f) {
-    return o.on_hull(f) || (o.contains(f, x) && o.contains(f, y) && o.contains(f, center));
-  });
-  const LinkedFacets fans = link_facets(o.triangulation, flap);
+  const LinkedFacets fans = link_facets(o.triangulation, o.hull_with_flap());
   ASSERT_EQ(fans.size(), 9U);
   const GoodVertices good = good_vertices(fans, no_boundary(o.triangulation));
   EXPECT_EQ(good.good[x], 0);

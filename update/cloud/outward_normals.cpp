@@ -8,6 +8,7 @@
 #include "geom/id_vector.h"
 #include "geom/mesh/edge_components.h"
 #include "geom/search/closest_facet.h"
+#include "geom/triangle_normal.h"
 #include "update/cloud/area_normals.h"
 #include "update/model/near_facets.h"
 #include "update/stage_options.h"
@@ -49,7 +50,7 @@ std::vector<int> ways_of_parts(const ModelIndex& model, const TriangleMesh& mesh
 
 Vec3 normal_of(const TriangleMesh& mesh, TriangleId t) {
   const auto& [a, b, c] = corners_of(mesh, t);
-  return unit(cross(b - a, c - a));
+  return unit(area_normal(a, b, c));
 }
 
 // Parts of which nothing is known so far, and that hang outside of the model.

@@ -20,6 +20,7 @@
 #include "geom/mesh/changed_neighbors.h"
 #include "geom/mesh/halfedges.h"
 #include "geom/parallel/parallel_reduce.h"
+#include "geom/triangle_normal.h"
 
 namespace cocoon {
 
@@ -252,7 +253,7 @@ std::vector<TriangleId> ModelIndex::triangles_at(VertexId v) const {
 
 Vec3 ModelIndex::normal(TriangleId t) const {
   const auto [a, b, c] = corners_from_smallest(corners_of(*mesh_, t));
-  return unit(cross(b - a, c - a));
+  return unit(area_normal(a, b, c));
 }
 
 Point ModelIndex::centroid(TriangleId t) const {

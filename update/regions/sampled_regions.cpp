@@ -6,6 +6,7 @@
 
 #include "geom/errors.h"
 #include "geom/search/nearest_point.h"
+#include "geom/triangle_normal.h"
 #include "update/model/near_facets.h"
 #include "update/model/triangle_set.h"
 #include "update/stage_options.h"
@@ -51,7 +52,7 @@ IdVector<RegionId, std::uint8_t> regions_under_samples(
     const RegionId r = regions.region_of_facet[t];
     if (r.is_none() || is_asked[r] == 0) continue;
     const auto [a, b, c] = corners_of(mesh, t);
-    const double area = norm(cross(b - a, c - a));
+    const double area = norm(area_normal(a, b, c));
     areas[r].all += area;
     if (has_foot[t] != 0 || tree.any_near(model.centroid(t), reach)) areas[r].covered += area;
   }

@@ -13,11 +13,14 @@ namespace cocoon {
 
 namespace {
 
+// What tells which sides of a cloud's rim lie under it.
+enum class ToldBy : std::uint8_t { rim, samples, sure_angles };
+
 // Where both sides of a rim turn away from the cloud, by the choice so far, samples tell, or else
 // the angles if they differ much. Returns of each cloud what told; run.decided has what.
 std::vector<ToldBy> tell_sides(UpdateRun& run, std::span<const RegionAngles> angles,
                                const Execution& execution) {
-  const std::vector<Scan> scans = scans_of(run.clouds, run.result.clouds);
+  const std::vector<Scan> scans = run.scans();
   std::vector<ToldBy> told_by(run.clouds.size(), ToldBy::rim);
   for (std::size_t c = 0; c < run.clouds.size(); ++c) {
     const CloudChoice& cloud = run.result.choice.clouds[c];
@@ -54,9 +57,8 @@ void say_kept_largest(RegionChoice& choice) {
 void take_islands(UpdateRun& run) {
   RegionChoice& choice = run.result.choice;
   if (choice.status != ChoiceStatus::ok) return;
-  const std::vector<ContradictedIsland> islands =
-      part_contradicted_islands(*run.index, choice, scans_of(run.clouds, run.result.clouds),
-                                run.result.regions, run.options.islands, run.outward());
+  const std::vector<ContradictedIsland> islands = part_contradicted_islands(
+      *run.index, choice, run.scans(), run.result.regions, run.options.islands, run.outward());
   choice.replaced.resize(run.result.regions.regions.size(), 0);
   for (const ContradictedIsland& island : islands) {
     run.result.islands.push_back(island.part);

@@ -25,7 +25,7 @@ void fail_empty(UpdateRun& run) {
 
 // From the samples of all clouds to facets that go. `scale`: of the coordinates.
 std::vector<Sight> sights_of(const UpdateRun& run, double scale, const Execution& execution) {
-  const std::vector<Scan> scans = scans_of(run.clouds, run.result.clouds);
+  const std::vector<Scan> scans = run.scans();
   const OutwardNormals outward = run.outward();
   std::vector<Sight> sights;
   for (std::size_t c = 0; c < run.clouds.size(); ++c) {

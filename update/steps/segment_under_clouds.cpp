@@ -74,7 +74,7 @@ bool samples_tell_of_whole_rim(const UpdateRun& run, std::size_t c, const Region
   });
   const bool all_turned =
       !choice.turned_away.empty() && choice.turned_away.size() == choice.regions.size();
-  const std::vector<Scan> scans = scans_of(run.clouds, run.result.clouds);
+  const std::vector<Scan> scans = run.scans();
   return separates && all_turned &&
          !regions_under_samples(*run.index, whole, choice.turned_away, scans[c],
                                 run.options.sampled, execution)
@@ -105,7 +105,7 @@ bool needs_no_cut(UpdateRun& run, const std::vector<std::size_t>& joined,
 std::optional<std::string> why_not_cut(const UpdateRun& run, std::size_t c, const RegionCut& cut) {
   const CutOptions& options = run.options.cut;
   if (runs_around_handle(run.result.clouds[c])) {
-    const std::vector<Scan> scans = scans_of(run.clouds, run.result.clouds);
+    const std::vector<Scan> scans = run.scans();
     const bool is_far =
         reaches_beyond(*run.index, members(cut.under), std::span(&scans[c], 1), options.box_reach);
     if (is_far || cut.doubt() > options.max_doubt) return reason_of_wide_handle();
@@ -124,9 +124,9 @@ bool segment(UpdateRun& run, const std::vector<std::size_t>& joined, const Execu
     return true;
   }
   std::vector<CloudReport>& reports = run.result.clouds;
-  CutRegions cut = cut_regions(*run.index, border_rims_of(reports), run.borders,
-                               scans_of(run.clouds, reports), joined, run.is_cut, run.options.cut,
-                               run.options.segment, execution, run.outward());
+  CutRegions cut =
+      cut_regions(*run.index, border_rims_of(reports), run.borders, run.scans(), joined, run.is_cut,
+                  run.options.cut, run.options.segment, execution, run.outward());
   run.is_cut = std::move(cut.is_cut);
   if (needs_no_cut(run, joined, cut.cuts, execution)) {
     run.is_cut.assign(run.clouds.size(), 0);
@@ -162,7 +162,7 @@ bool cut_across_handles(UpdateRun& run) {
 bool cut_where_scans_end(UpdateRun& run, std::span<const RegionAngles> angles) {
   const RegionChoice choice =
       choose_regions(angles, run.clouds.size(), run.options.choice, run.decided);
-  const std::vector<Scan> scans = scans_of(run.clouds, run.result.clouds);
+  const std::vector<Scan> scans = run.scans();
   bool found = false;
   for (std::size_t c = 0; c < run.clouds.size(); ++c) {
     if (run.is_cut[c] != 0 || !scan_ends_under(*run.index, run.result.regions, choice.clouds[c],

@@ -23,9 +23,6 @@
 
 namespace cocoon {
 
-// What tells which sides of a cloud's rim lie under it.
-enum class ToldBy : std::uint8_t { rim, samples, sure_angles };
-
 // The steps are called in this order, each once, as long as the one before has not failed (false,
 // or none):
 //   detect_boundaries  find_overlap  segment_under_clouds  choose_replaced  reconstruct_updated
@@ -62,7 +59,9 @@ struct UpdateRun {
       }
     }
   }
-  // One entry for each of these.
+  // Of each cloud, with its samples as they are in the rim that was taken.
+  std::vector<Scan> scans() const { return scans_of(clouds, result.clouds); }
+  // One entry for each border loop.
   std::vector<RegionAngles> measure_angles(const Regions& regions) const;
   // Of the samples of each cloud. Refers to what is known so far.
   OutwardNormals outward() const;

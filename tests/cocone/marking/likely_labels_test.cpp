@@ -5,6 +5,7 @@
 #include "cocone/reconstruct.h"
 #include "geom/errors.h"
 #include "tests/cocone/sample_shapes.h"
+#include "tests/mesh_gallery.h"
 
 namespace cocoon {
 namespace {
@@ -45,16 +46,6 @@ SurfaceRoughness roughness(TriangleMesh mesh, std::size_t unused = 0) {
   return surface_roughness(surface, surface.mesh.points.size() + unused);
 }
 
-TriangleMesh both(TriangleMesh a, const TriangleMesh& b) {
-  const auto first = static_cast<std::uint32_t>(a.points.size());
-  for (const Point& p : b.points) a.points.push_back(p);
-  for (const auto& [x, y, z] : b.triangles) {
-    a.triangles.push_back(
-        {VertexId(x.value + first), VertexId(y.value + first), VertexId(z.value + first)});
-  }
-  return a;
-}
-
 void expect_roughness(const TriangleMesh& mesh, std::size_t parts, std::ptrdiff_t twice_handles) {
   const SurfaceRoughness found = roughness(mesh);
   EXPECT_EQ(found.parts, parts);
@@ -67,28 +58,13 @@ TEST(SurfaceRoughness, CountsPartsAndTwiceTheHandles) {
   const TriangleMesh ring = reconstruct_tight(shapes::random_torus(1500, 0.4, 1)).mesh;
   expect_roughness(ball, 1, 0);
   expect_roughness(ring, 1, 2);
-  expect_roughness(both(ball, ring), 2, 2);
+  expect_roughness(gallery::both(ball, ring), 2, 2);
   EXPECT_EQ(roughness(ball, 7).unused_vertices, 7U);
 }
 
-// Two tetrahedra with an edge in common, then with a vertex in common.
 TEST(SurfaceRoughness, CountsWhereTheSurfaceTouchesItself) {
-  TriangleMesh tetrahedra;
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    for (const auto& [x, y, z] :
-         {std::array{a, c, b}, std::array{a, b, d}, std::array{b, c, d}, std::array{c, a, d}}) {
-      tetrahedra.triangles.push_back({VertexId(x), VertexId(y), VertexId(z)});
-    }
-  };
-  tetrahedra.points.resize(6);
-  add(0, 1, 2, 3);
-  add(0, 1, 4, 5);
-  expect_roughness(tetrahedra, 2, 2);
-  tetrahedra.points.resize(7);
-  tetrahedra.triangles.clear();
-  add(0, 1, 2, 3);
-  add(0, 4, 5, 6);
-  expect_roughness(tetrahedra, 2, 1);
+  expect_roughness(gallery::two_tetrahedra_sharing_an_edge(), 2, 2);
+  expect_roughness(gallery::two_tetrahedra_sharing_a_vertex(), 2, 1);
 }
 
 TEST(SurfaceRoughness, IsComparedInEachNumber) {

@@ -10,6 +10,7 @@
 #include "delaunay/delaunay.h"
 #include "geom/random/random.h"
 #include "tests/cocone/sample_shapes.h"
+#include "tests/mesh_gallery.h"
 #include "tests/update/replaced_disk.h"
 
 namespace cocoon {
@@ -34,16 +35,8 @@ std::vector<Point> rough_cube(std::uint64_t seed) {
 
 // Two cubes, each reconstructed by itself, in one mesh.
 TriangleMesh cubes_side_by_side(double gap) {
-  TriangleMesh model = reconstruct_tight(rough_cube(1)).mesh;
-  const TriangleMesh other =
-      reconstruct_tight(shapes::moved(rough_cube(2), {14 + gap, 0.4, 0.3})).mesh;
-  const auto count = static_cast<std::uint32_t>(model.points.size());
-  for (const Point& p : other.points) model.points.push_back(p);
-  for (const auto& [a, b, c] : other.triangles) {
-    model.triangles.push_back(
-        {VertexId(a.value + count), VertexId(b.value + count), VertexId(c.value + count)});
-  }
-  return model;
+  return gallery::both(reconstruct_tight(rough_cube(1)).mesh,
+                       reconstruct_tight(shapes::moved(rough_cube(2), {14 + gap, 0.4, 0.3})).mesh);
 }
 
 TEST(KeptSurface, TrianglesOfKeptRegionsAreKnown) {
