@@ -64,6 +64,14 @@ std::vector<VertexId> may_be_refuted(const Triangulation& triangulation,
   return asked;
 }
 
+CellMarks no_marks(GoodVertices& good) {
+  CellMarks marks;
+  marks.good = std::move(good.good);
+  marks.good_vertices = good.count;
+  marks.folded = std::move(good.folded);
+  return marks;
+}
+
 // A closed umbrella may be no part of the surface. Where known cells tell both labels in one half
 // of the star, or one label in both, it is not, and its vertex is not good.
 void demote_refuted(const Triangulation& triangulation, const FacetSet& surface,
@@ -84,6 +92,15 @@ void demote_refuted(const Triangulation& triangulation, const FacetSet& surface,
     ++marks.refuted_vertices;
   }
   marks.good_vertices -= marks.refuted_vertices;
+}
+
+void demote_unvisited(CellMarks& marks) {
+  for (const VertexId v : marks.good.ids()) {
+    if (marks.good[v] == 0 || marks.visited[v] != 0) continue;
+    marks.good[v] = 0;
+    ++marks.refuted_vertices;
+    --marks.good_vertices;
+  }
 }
 
 // Where vertices disagree.
@@ -132,14 +149,34 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
   require_facets("mark_cells", triangulation, surface);
   require_vertex_flags("mark_cells", triangulation, good.good);
   report_progress(execution, "mark_cells", 0);
-  CellMarks marks;
-  marks.good = std::move(good.good);
-  marks.good_vertices = good.count;
-  marks.folded = std::move(good.folded);
+  CellMarks marks = no_marks(good);
   CarriedMarks carried = carry_marks(triangulation, surface, good.corner_at, {}, marks, execution);
   if (!carried.disputed.empty()) {
     settle(triangulation, surface, good.corner_at, std::move(carried), known, marks, execution);
   }
+  report_progress(execution, "mark_cells", 1);
+  return marks;
+}
+
+CellMarks mark_undoubted_cells(const Triangulation& triangulation, const LinkedFacets& surface,
+                               GoodVertices good, const IdVector<CellId, CellLabel>& known,
+                               const Execution& execution) {
+  require_facets("mark_undoubted_cells", triangulation, surface);
+  require_vertex_flags("mark_undoubted_cells", triangulation, good.good);
+  require_size("mark_undoubted_cells", "known labels of cells", known.size(),
+               triangulation.num_cells());
+  report_progress(execution, "mark_cells", 0);
+  CellMarks marks = no_marks(good);
+  CarriedMarks carried = carry_marks(triangulation, surface, good.corner_at, {}, marks, execution);
+  marks.known = known;
+  demote_refuted(triangulation, surface.set, carried, marks, execution);
+  demote_unvisited(marks);
+  marks.known = {};
+  carried = carry_marks(triangulation, surface, good.corner_at, {}, marks, execution);
+  if (!carried.disputed.empty()) {
+    settle(triangulation, surface, good.corner_at, std::move(carried), {}, marks, execution);
+  }
+  marks.known = known;
   report_progress(execution, "mark_cells", 1);
   return marks;
 }

@@ -47,4 +47,13 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
                      GoodVertices good, const KnownLabelsSource& known,
                      const Execution& execution = {});
 
+// Marks that leave to the clean-up what `known` puts in doubt, whether or not vertices disagree:
+// good vertices that known cells contradict, and those that no mark reaches, as on a surface behind
+// what it contradicts, are no longer good (refuted_vertices). The known labels are none of marks;
+// the clean-up has them by CellMarks::known. `known`: as many as there are cells. Errors and
+// complexity as above.
+CellMarks mark_undoubted_cells(const Triangulation& triangulation, const LinkedFacets& surface,
+                               GoodVertices good, const IdVector<CellId, CellLabel>& known,
+                               const Execution& execution = {});
+
 }  // namespace cocoon

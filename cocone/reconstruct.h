@@ -56,7 +56,7 @@ struct ReconstructOptions {
   // reconstruct_tight_with_labels, where something is likely (KnownLabels::likely): if more than
   // this share of those cells lies on the other side of the surface, it is made again with them
   // known. A few may, at slivers.
-  double max_contradicted_likely = 0.05;
+  double max_contradicted_likely = 0.03;
   // Verify triangulation and surface (verify_surface.h) before they are believed. What is refuted
   // is not delivered: the mesh is left empty.
   bool verify = false;
@@ -160,7 +160,8 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
 // itself they yield to good vertices (yielded_cells). What is likely (KnownLabels::likely) is taken
 // for known, too, if the surface contradicts it otherwise, and is no rougher then
 // (marking/likely_labels.h): in that case all after the extraction is done twice. Where nothing is
-// in doubt `known` is not asked; nor is it in paper mode. It is asked once at most.
+// in doubt, and marks reach every good vertex, `known` is not asked; nor is it in paper mode. It is
+// asked once at most.
 ReconstructResult reconstruct_tight_with_labels(Points points, const KnownLabelsSource& known,
                                                 const ReconstructOptions& options = {},
                                                 const Execution& execution = {});

@@ -32,6 +32,9 @@ bool is_flawed(const CleanUpCounters& clean_up) {
   return clean_up.left_cells + clean_up.defects_after + clean_up.unused_after != 0;
 }
 
+// Whether something is left to be decided by the clean-up.
+bool is_in_doubt(const CellMarks& marks) { return marks.poor_cells != 0 || marks.conflicts != 0; }
+
 }  // namespace
 
 ReconstructSteps::ReconstructSteps(Points points, const ReconstructOptions& options,
@@ -244,17 +247,18 @@ CellMarks ReconstructSteps::peel(CellMarks marks, const Execution& execution) co
 void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
                                 const Execution& execution) {
   marks = peel(std::move(marks), execution);
-  const bool in_doubt = marks.poor_cells != 0 || marks.conflicts != 0;
+  const bool in_doubt = is_in_doubt(marks);
+  const bool all_visited = marks.visited_vertices == marks.good_vertices;
   KnownLabels told;
-  if (in_doubt && known) told = known(*triangulation_, surface_.triangles.set, execution);
+  if (known && (in_doubt || !all_visited)) {
+    told = known(*triangulation_, surface_.triangles.set, execution);
+  }
+  if (told.likely.empty()) forget_links();
   Attempt best;
-  if (!told.undisturbed.empty()) {
-    best = clean_up_foreign(marks, told.labels, execution);
-  } else {
-    if (told.likely.empty()) forget_links();
-    // The marking has asked already if good vertices disagreed.
-    if (marks.known.empty()) marks.known = told.labels;
+  if (!in_doubt) {
     best.body = clean_up(std::move(marks), execution);
+  } else {
+    best = clean_up_knowing(std::move(marks), told, execution);
   }
   if (!told.likely.empty()) heed_likely(std::move(told), best, execution);
   forget_links();
@@ -264,33 +268,48 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
 
 void ReconstructSteps::heed_likely(KnownLabels told, Attempt& best, const Execution& execution) {
   ReconstructCounters& counters = result_.counters;
-  counters.likely_cells = count_labels(told.likely);
-  counters.contradicted_likely = count_contradicted(told.likely, best.body.marks.reached);
-  if (!(static_cast<double>(counters.contradicted_likely) >
-        options_.max_contradicted_likely * static_cast<double>(counters.likely_cells))) {
-    return;
-  }
-  const bool is_foreign = !told.undisturbed.empty();
-  KnownLabels taken;
-  taken.labels = with_likely(std::move(told));
-  const auto source = [&](const auto&...) { return taken; };
-  CellMarks marks = peel(mark_cells(*triangulation_, surface_.triangles,
-                                    find_good_vertices(execution), source, execution),
-                         execution);
-  Attempt other;
-  if (is_foreign) {
-    other = clean_up_foreign(marks, taken.labels, execution);
-  } else {
-    if (marks.known.empty()) marks.known = taken.labels;
-    other.body = clean_up(std::move(marks), execution);
-  }
+  const IdVector<CellId, CellLabel> likely = told.likely;
+  counters.likely_cells = count_labels(likely);
+  counters.contradicted_likely = count_contradicted(likely, best.body.marks.reached);
+  const auto is_contradicted = [&] {
+    return static_cast<double>(count_contradicted(likely, best.body.marks.reached)) >
+           options_.max_contradicted_likely * static_cast<double>(counters.likely_cells);
+  };
+  if (!is_contradicted()) return;
   const auto roughness = [&](const Attempt& of) {
     return surface_roughness(surface_between(*triangulation_, of.body.marks, execution),
                              result_.vertices, execution);
   };
-  if (!roughness(other).is_at_most(roughness(best))) return;
-  counters.heeded_likely = counters.likely_cells;
-  best = std::move(other);
+  const auto offer = [&](Attempt other) {
+    if (!roughness(other).is_at_most(roughness(best))) return;
+    counters.heeded_likely = counters.likely_cells;
+    best = std::move(other);
+  };
+  KnownLabels taken;
+  taken.undisturbed = told.undisturbed;
+  taken.labels = with_likely(std::move(told));
+  if (is_in_doubt(best.body.marks)) {
+    const auto source = [&](const auto&...) { return taken; };
+    CellMarks marks = mark_cells(*triangulation_, surface_.triangles, find_good_vertices(execution),
+                                 source, execution);
+    offer(clean_up_knowing(peel(std::move(marks), execution), taken, execution));
+    if (!is_contradicted()) return;
+  }
+  CellMarks marks = mark_undoubted_cells(*triangulation_, surface_.triangles,
+                                         find_good_vertices(execution), taken.labels, execution);
+  marks = peel(std::move(marks), execution);
+  offer(clean_up_yielding(marks, std::move(taken.labels), execution));
+}
+
+ReconstructSteps::Attempt ReconstructSteps::clean_up_knowing(CellMarks marks,
+                                                             const KnownLabels& told,
+                                                             const Execution& execution) const {
+  if (!told.undisturbed.empty()) return clean_up_foreign(marks, told.labels, execution);
+  // The marking has asked already if good vertices disagreed.
+  if (marks.known.empty()) marks.known = told.labels;
+  Attempt attempt;
+  attempt.body = clean_up(std::move(marks), execution);
+  return attempt;
 }
 
 ReconstructSteps::Attempt ReconstructSteps::clean_up_foreign(

@@ -95,7 +95,11 @@ class ReconstructSteps {
   // Makes the body again with what is likely taken for known, if too much of that contradicts it,
   // and takes it if its surface is no rougher.
   void heed_likely(KnownLabels told, Attempt& best, const Execution& execution);
-  // What follows the peel, where a mesh that is none of ours (KnownLabels::undisturbed) tells.
+  // What follows the peel. `told` counts unless the marking has asked for labels already, as where
+  // good vertices disagreed.
+  Attempt clean_up_knowing(CellMarks marks, const KnownLabels& told,
+                           const Execution& execution) const;
+  // The same where a mesh that is none of ours (KnownLabels::undisturbed) tells.
   Attempt clean_up_foreign(const CellMarks& marks, const IdVector<CellId, CellLabel>& told,
                            const Execution& execution) const;
   // Where the marking has asked it: such a mesh cuts sharp edges otherwise than the facets do, and

@@ -15,6 +15,7 @@
 #include "geom/messages/require_size.h"
 #include "geom/search/nearest_point.h"
 #include "geom/triangle_projection.h"
+#include "update/cloud/raised_loops.h"
 #include "update/model/near_facets.h"
 #include "update/stage_options.h"
 
@@ -36,16 +37,6 @@ std::vector<RimPoint> all_points(const CloudRim& rim) {
     for (std::size_t i = 0; i < rim.loops[l].size(); ++i) points.push_back({l, i});
   }
   return points;
-}
-
-// The median edge of a facet: the spacing of the model there.
-double facet_spacing(const TriangleMesh& mesh, TriangleId t) {
-  return median({edge_length(mesh, t, 0), edge_length(mesh, t, 1), edge_length(mesh, t, 2)});
-}
-
-// The larger one of the rim's and the model's there.
-double larger_spacing(const TriangleMesh& model, const CloudRim& rim, TriangleId facet) {
-  return std::max(rim.spacing, facet_spacing(model, facet));
 }
 
 // +1 or -1 per point: does the surface at its loop face like the model or the other way? All points
@@ -273,62 +264,6 @@ LoopMatch match_of(const LoopOverlap& loop, double max_share) {
   return LoopMatch::on_model;
 }
 
-// The median of the distances of its points from the model; of those without a facet, infinity.
-double median_height(const RimLoop& rim, const LoopOverlap& loop) {
-  std::vector<double> heights;
-  for (std::size_t i = 0; i < rim.size(); ++i) {
-    if (rim.is_inner_point(i)) continue;
-    heights.push_back(loop.facets[i].is_none() ? std::numeric_limits<double>::infinity()
-                                               : distance(loop.feet[i], rim.points[i]));
-  }
-  return median(std::move(heights));
-}
-
-void measure_excess(const TriangleMesh& model, const CloudRim& rim, Overlap& overlap) {
-  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
-    const LoopOverlap& loop = overlap.loops[l];
-    for (std::size_t i = 0; i < rim.loops[l].size(); ++i) {
-      const TriangleId facet = loop.facets[i];
-      if (facet.is_none() || rim.loops[l].is_inner_point(i)) continue;
-      const double excess =
-          distance(loop.feet[i], rim.loops[l].points[i]) - overlap.figures.median_distance;
-      const double spacing = larger_spacing(model, rim, facet);
-      overlap.figures.largest_excess = std::max(overlap.figures.largest_excess, excess / spacing);
-    }
-  }
-}
-
-void count_raised(const TriangleMesh& model, const CloudRim& rim, const OverlapOptions& options,
-                  Overlap& overlap) {
-  std::map<std::uint32_t, std::size_t> longest;  // of each part of the surface
-  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
-    const auto [entry, is_new] = longest.try_emplace(rim.loops[l].component, l);
-    std::size_t& best = entry->second;
-    if (!is_new && rim.loops[l].perimeter > rim.loops[best].perimeter) best = l;
-  }
-  std::map<std::uint32_t, double> usual;
-  for (const auto& [part, l] : longest) {
-    usual[part] = median_height(rim.loops[l], overlap.loops[l]);
-  }
-  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
-    const std::uint32_t part = rim.loops[l].component;
-    if (l == longest[part]) continue;
-    const RimLoop& points = rim.loops[l];
-    LoopOverlap& loop = overlap.loops[l];
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (points.is_inner_point(i)) continue;
-      const TriangleId facet = loop.facets[i];
-      if (facet.is_none()) {
-        ++loop.raised;
-        continue;
-      }
-      const double spacing = larger_spacing(model, rim, facet);
-      const double height = distance(loop.feet[i], points.points[i]);
-      loop.raised += height > usual[part] + options.raised_distance * spacing ? 1U : 0U;
-    }
-  }
-}
-
 // Loops off the model are holes inside the cloud, unless the longest loop is one of them.
 void match_loops(const CloudRim& rim, const OverlapOptions& options, Overlap& overlap) {
   if (rim.loops.empty()) {
@@ -338,10 +273,7 @@ void match_loops(const CloudRim& rim, const OverlapOptions& options, Overlap& ov
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
     LoopOverlap& loop = overlap.loops[l];
     loop.match = match_of(loop, options.max_unmatched_share);
-    const std::size_t points = loop.facets.size() - loop.inner_points;
-    if (loop.match == LoopMatch::on_model &&
-        static_cast<double>(loop.raised) > options.max_raised_share * static_cast<double>(points) +
-                                               static_cast<double>(loop.covered)) {
+    if (loop.match == LoopMatch::on_model && is_raised(loop, options)) {
       loop.match = LoopMatch::off_model;
     }
   }
@@ -415,7 +347,7 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
     const auto [l, i] = points[k];
     const RimLoop& loop = rim.loops[l];
     queries.push_back({loop.points[i], signs[k] * loop.normals[i],
-                       larger_spacing(model.mesh(), rim, closest[k].triangle), closest[k]});
+                       larger_spacing(model, rim, closest[k].triangle), closest[k]});
     if (!loop.is_inner_point(i)) chosen.push_back(k);
   }
   const Locator locator(model, options);
@@ -435,9 +367,9 @@ Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
 
   // 3. Gathered by loop, and judged.
   gather_by_loop(rim, points, located, overlap);
-  measure_excess(model.mesh(), rim, overlap);
+  measure_excess(model, rim, overlap);
   overlap.leaves_model = overlap.figures.largest_excess > options.raised_distance;
-  count_raised(model.mesh(), rim, options, overlap);
+  count_raised(model, rim, options.raised_distance, overlap);
   match_loops(rim, options, overlap);
   report_progress(execution, "overlapping_facets", 1);
   return overlap;

@@ -44,8 +44,12 @@ struct OverlapOptions {
   // Nor does a loop other than the longest of its part of the surface if a larger share of its
   // points is unmatched or farther from the model than that one (its median), by so many spacings,
   // as in max_distance: one side of it is the shadow of the other, as in a dent that is seen at a
-  // slant. A rim with a point so much farther off than its median is worth a warning.
+  // slant. Nor does the longest loop of another part if a larger share of its points than
+  // max_raised_outline is farther off, by that distance, than the longest loop of all: it is the
+  // top of a boss, or the floor of a pocket. A rim with a point so much farther off than its median
+  // is worth a warning.
   double max_raised_share = 0.3;
+  double max_raised_outline = 0.7;
   double raised_distance = 1;
   // A rim whose matched points lie farther off the model than this many of its spacings (the median
   // of them) leaves a step there: that is worth a warning. Up to half a spacing does no harm.
@@ -66,6 +70,7 @@ struct LoopOverlap {
   std::size_t unmatched = 0;       // points without a facet, inner points left aside
   std::size_t raised = 0;   // points farther off than raised_distance says; unmatched ones, too
   std::size_t covered = 0;  // unmatched points on another cloud, see excuse_covered_points()
+  bool is_outline = false;  // the longest loop of its part of the surface
 };
 
 enum class OverlapStatus {

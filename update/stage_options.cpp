@@ -126,7 +126,8 @@ void require_options(const char* stage, const OverlapOptions& options) {
                           {"overlap.raised_distance", options.raised_distance},
                           {"overlap.step_distance", options.step_distance}});
   require_shares(stage, {{"overlap.max_unmatched_share", options.max_unmatched_share},
-                         {"overlap.max_raised_share", options.max_raised_share}});
+                         {"overlap.max_raised_share", options.max_raised_share},
+                         {"overlap.max_raised_outline", options.max_raised_outline}});
   require_cosines(stage, {{"overlap.min_normal_cosine", options.min_normal_cosine}});
 }
 

@@ -89,5 +89,43 @@ TEST(MarkCells, SurfaceSeparatesInFromOut) {
   });
 }
 
+// Nothing is known: only what no mark reaches is left to the clean-up, such as an inner wall.
+TEST(MarkUndoubtedCells, WhatNoMarkReachesIsInDoubt) {
+  const Marked m(shapes::joined(shapes::sphere(1200, 3), shapes::sphere(500, 4, 0.4)));
+  ASSERT_LT(m.marks.visited_vertices, m.marks.good_vertices);
+  const IdVector<CellId, CellLabel> known(m.s.triangulation.num_cells(), CellLabel::unmarked);
+  const CellMarks marks = m.undoubted(known);
+  EXPECT_EQ(marks.labels, m.marks.labels);
+  EXPECT_EQ(marks.known, known);
+  EXPECT_EQ(marks.refuted_vertices, m.marks.good_vertices - m.marks.visited_vertices);
+  EXPECT_EQ(marks.good_vertices, m.marks.visited_vertices);
+  EXPECT_EQ(marks.good, m.marks.visited);
+}
+
+// Air on both sides of a facet: the surface is none at its corners, and their cells are left to the
+// clean-up, unless another vertex tells of them.
+TEST(MarkUndoubtedCells, VerticesThatKnownCellsContradictAreInDoubt) {
+  const Marked m(shapes::sphere(1200, 3));
+  ASSERT_EQ(m.marks.visited_vertices, m.marks.good_vertices);
+  FacetId f;
+  m.surface.for_each(m.s.triangulation, [&](FacetId facet) { f = facet; });
+  IdVector<CellId, CellLabel> known(m.s.triangulation.num_cells(), CellLabel::unmarked);
+  for (const CellId c : {cell_of(f), cell_of(m.s.triangulation.mirror(f))}) {
+    known[c] = CellLabel::out;
+  }
+  const CellMarks marks = m.undoubted(known);
+  EXPECT_LE(marks.refuted_vertices, 4U);  // the fourth one of the cell inside, too
+  EXPECT_EQ(marks.good_vertices + marks.refuted_vertices, m.marks.good_vertices);
+  for (const VertexId v : m.s.triangulation.facet_vertices(f)) EXPECT_EQ(marks.good[v], 0);
+  std::size_t left = 0;
+  for (const CellId c : marks.labels.ids()) {
+    if (marks.labels[c] == m.marks.labels[c]) continue;
+    EXPECT_EQ(marks.labels[c], CellLabel::unmarked);
+    ++left;
+  }
+  EXPECT_LE(left, 40U);
+  EXPECT_EQ(marks.known, known);
+}
+
 }  // namespace
 }  // namespace cocoon

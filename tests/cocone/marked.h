@@ -15,6 +15,12 @@ struct Marked {
     surface = triangles.set;
   }
 
+  CellMarks undoubted(const IdVector<CellId, CellLabel>& known) const {
+    const LinkedFacets triangles = s.surface(labels);
+    return mark_undoubted_cells(s.triangulation, triangles,
+                                good_vertices(triangles, labels.boundary), known);
+  }
+
   Stages s;
   BoundarySamples labels;
   FacetSet surface;
