@@ -159,9 +159,9 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
 // fewer samples are unused then, or fewer vertices contradicted, and where the surface would touch
 // itself they yield to good vertices (yielded_cells). What is likely (KnownLabels::likely) is taken
 // for known, too, if the surface contradicts it otherwise, and is no rougher then
-// (marking/likely_labels.h): in that case all after the extraction is done twice. Where nothing is
-// in doubt, and marks reach every good vertex, `known` is not asked; nor is it in paper mode. It is
-// asked once at most.
+// (marking/likely_labels.h): in that case all after the extraction is done two or three times.
+// Where nothing is in doubt, and marks reach every good vertex, `known` is not asked; nor is it in
+// paper mode. It is asked once at most.
 ReconstructResult reconstruct_tight_with_labels(Points points, const KnownLabelsSource& known,
                                                 const ReconstructOptions& options = {},
                                                 const Execution& execution = {});

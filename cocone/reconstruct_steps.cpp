@@ -253,7 +253,8 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
   if (known && (in_doubt || !all_visited)) {
     told = known(*triangulation_, surface_.triangles.set, execution);
   }
-  if (told.likely.empty()) forget_links();
+  // Else the marking may have to be done again.
+  if (told.likely.empty() && told.undisturbed.empty()) forget_links();
   Attempt best;
   if (!in_doubt) {
     best.body = clean_up(std::move(marks), execution);
@@ -286,7 +287,7 @@ void ReconstructSteps::heed_likely(KnownLabels told, Attempt& best, const Execut
     best = std::move(other);
   };
   KnownLabels taken;
-  taken.undisturbed = told.undisturbed;
+  taken.undisturbed = told.undisturbed;  // whether it is a mesh of ours
   taken.labels = with_likely(std::move(told));
   if (is_in_doubt(best.body.marks)) {
     const auto source = [&](const auto&...) { return taken; };

@@ -92,8 +92,9 @@ class ReconstructSteps {
   CellMarks peel(CellMarks marks, const Execution& execution) const;
   // All that follows the marking.
   void close_by(CellMarks marks, const KnownLabelsSource& known, const Execution& execution);
-  // Makes the body again with what is likely taken for known, if too much of that contradicts it,
-  // and takes it if its surface is no rougher.
+  // Makes the body again with what is likely taken for known, if too much of that contradicts it:
+  // first with marks as they are where it is known, then, if still too much does, by marks that
+  // leave more to the clean-up (mark_undoubted_cells). Takes those whose surfaces are no rougher.
   void heed_likely(KnownLabels told, Attempt& best, const Execution& execution);
   // What follows the peel. `told` counts unless the marking has asked for labels already, as where
   // good vertices disagreed.

@@ -11,6 +11,7 @@
 #include "delaunay/circulate.h"
 #include "delaunay/delaunay.h"
 #include "tests/cocone/known_triangles.h"
+#include "tests/cocone/sample_shapes.h"
 
 namespace cocoon {
 namespace {
@@ -76,6 +77,32 @@ TEST(UndisturbedCells, AGridWithOtherDiagonalsIsNoMeshOfOurs) {
     beside += count > 0 ? 1U : 0U;
   }
   EXPECT_GT(beside, 0U);
+}
+
+// Beside such a mesh, in noise, vertices disagree: then the marking is done again without it. That
+// nothing is likely makes no difference.
+TEST(UndisturbedCells, TheMarkingIsDoneAgainWhereVerticesDisagree) {
+  std::vector<Point> points;
+  const std::vector<KnownTriangle> squares = cube_of_squares(6, points);
+  for (const Point& p : shapes::noisy_sphere(3000, 0.01, 9)) {
+    points.push_back(4 * p + Point{20, 0, 0});
+  }
+  const auto result = [&](bool has_likely) {
+    const KnownLabelsSource source = [&](const Triangulation& triangulation,
+                                         const FacetSet& surface, const Execution& execution) {
+      KnownLabels known = known_labels(triangulation, squares, surface, execution);
+      EXPECT_FALSE(known.undisturbed.empty());
+      if (has_likely) {
+        known.likely = IdVector<CellId, CellLabel>(triangulation.num_cells(), CellLabel::unmarked);
+      }
+      return known;
+    };
+    return reconstruct_tight_with_labels(points, source);
+  };
+  const ReconstructResult nothing_likely = result(false);
+  EXPECT_GT(nothing_likely.counters.marking_conflicts, 0U);
+  EXPECT_GT(nothing_likely.counters.good_vertices, 1500U);
+  EXPECT_EQ(nothing_likely.mesh, result(true).mesh);
 }
 
 }  // namespace
