@@ -34,7 +34,6 @@ struct RimLoop {
   // 1 where the cloud goes on beyond E_i (rim_seams.h): not the end of the cloud, but a seam in its
   // surface; and where another cloud does (shared_edges.h). Empty: nowhere.
   std::vector<std::uint8_t> inner;
-  bool is_seam = false;  // as a whole, though it lies on the model (torn_edges.h): all are inner
 
   bool is_inner(std::size_t i) const { return !inner.empty() && inner[i] != 0; }
   // b_i lies between two such edges: it says nothing about where the cloud ends.
@@ -64,13 +63,11 @@ struct CloudRim {
   std::size_t seam_loops = 0;        // taken out by mark_rim_seams()
   std::size_t seamed_loops = 0;      // left in by it, though they are seams for the most part
   std::size_t rim_edges = 0;         // of all loops that it looked at
-  std::size_t seam_edges = 0;        // of these, edges with cloud beyond them; torn_edges and
-                                     // wall_edges
+  std::size_t seam_edges = 0;        // of these, edges with cloud beyond them, and wall_edges
   std::size_t lone_edges = 0;        // edges with a few samples beyond them and no cloud
   std::size_t non_orientable = 0;    // one-sided parts: their normals are not reliable
 
   std::size_t wall_edges = 0;    // inner by mark_wall_edges()
-  std::size_t torn_edges = 0;    // that mark_torn_edges() found torn, on loops that are seams by it
   std::size_t shared_edges = 0;  // marked by mark_shared_edges()
   bool leaves_model = false;     // by its overlap: Overlap::leaves_model
 

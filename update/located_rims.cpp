@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "geom/messages/require_size.h"
-#include "update/cloud/torn_edges.h"
 #include "update/cloud/wall_edges.h"
 #include "update/pin_holes.h"
 #include "update/rim_doubt.h"
@@ -87,7 +86,6 @@ class Locating {
       found_.shared_with[c] = mark_shared_edges(c, scans, rim, options_.shared);
     }
     mark_wall_edges(model_, clouds_, rim, options_.walls);
-    mark_torn_edges(model_, clouds_, rim, options_.torn);
     found_.overlaps[c] = overlapping_facets(model_, rim, options_.overlap, execution_);
   }
 

@@ -24,7 +24,7 @@ struct LocatedRims {
 // What is known of a cloud once it has this surface.
 CloudReport report_of_surface(CloudSurface surface);
 
-// Opens pin-holes through which the model goes on, marks edges that are shared or torn, and looks
+// Opens pin-holes through which the model goes on, marks edges that are shared or seams, and looks
 // for the overlapping facets of each rim; `reports` have the rims, and get what is found. Where
 // the rim of a cloud is not on the model, the best of its other surfaces that has one there is
 // taken. Where it is, but leaves a doubt (rim_doubt.h) and is shared with no other cloud, the rims

@@ -198,14 +198,6 @@ void require_options(const char* stage, const StrayOptions& options) {
   require_neighbors(stage, options.neighbors);
 }
 
-void require_options(const char* stage, const TornEdgeOptions& options) {
-  require_amounts(stage, {{"torn.reach", options.reach},
-                          {"torn.min_outward", options.min_outward},
-                          {"torn.min_step", options.min_step}});
-  require_shares(stage, {{"torn.max_seam_share", options.max_seam_share},
-                         {"torn.min_torn_share", options.min_torn_share}});
-}
-
 void require_options(const char* stage, const TrimOptions& options) {
   require_amounts(stage, {{"cloud.trim.max_edge", options.max_edge}});
 }
@@ -239,7 +231,6 @@ void require_options(const char* stage, const UpdateOptions& options) {
   require_options(stage, options.join);
   require_options(stage, options.cloud);
   require_options(stage, options.pin_holes);
-  require_options(stage, options.torn);
   require_options(stage, options.walls);
   require_options(stage, options.overlap);
   require_options(stage, options.shadow);

@@ -20,7 +20,6 @@
 #include "geom/triangle_mesh.h"
 #include "update/choose_regions.h"
 #include "update/cloud/outward_normals.h"
-#include "update/cloud/torn_edges.h"
 #include "update/cloud/wall_edges.h"
 #include "update/cloud_surface.h"
 #include "update/contradicted_islands.h"
@@ -56,7 +55,6 @@ struct UpdateOptions {
   CloudSurfaceOptions cloud;
   PinHoleOptions pin_holes;
   WallEdgeOptions walls;
-  TornEdgeOptions torn;
   OverlapOptions overlap;
   ShadowOptions shadow;
   TraceOptions trace;

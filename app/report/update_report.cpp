@@ -62,7 +62,6 @@ void add_seams(JsonReport& entry, const CloudRim& rim) {
   entry.set("lone_edges", rim.lone_edges);
   entry.set("shared_edges", rim.shared_edges);
   entry.set("wall_edges", rim.wall_edges);
-  entry.set("torn_edges", rim.torn_edges);
   entry.set("seam_loops", rim.seam_loops);
   entry.set("seamed_loops", rim.seamed_loops);
 }

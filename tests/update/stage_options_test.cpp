@@ -9,7 +9,6 @@
 #include "geom/errors.h"
 #include "tests/mesh_gallery.h"
 #include "update/cloud/rim_seams.h"
-#include "update/cloud/torn_edges.h"
 #include "update/cloud/trim_long_edges.h"
 #include "update/report/closed_openings.h"
 #include "update/report/contradicted_samples.h"
@@ -44,7 +43,6 @@ const std::vector<Change> wrong = {
     [](UpdateOptions& o) { o.cloud.rim.loops.min_component_share = -0.1; },
     [](UpdateOptions& o) { o.cloud.seams.max_seam_share = 2; },
     [](UpdateOptions& o) { o.pin_holes.max_distance = nan; },
-    [](UpdateOptions& o) { o.torn.reach = -1; },
     [](UpdateOptions& o) { o.overlap.min_normal_cosine = 67.5; },
     [](UpdateOptions& o) { o.shared.reach = -1; },
     [](UpdateOptions& o) { o.cut.max_doubt = nan; },
@@ -115,7 +113,6 @@ TEST(StageOptions, StagesCalledAloneRefuseThemToo) {
   const std::vector<Scan> scans(1);
   expect_refused("cloud_rim", [&] { cloud_rim(mesh, {.loops = {}, .min_outline_share = -1}); });
   expect_refused("mark_rim_seams", [&] { mark_rim_seams({}, rim, {.reach = nan}); });
-  expect_refused("mark_torn_edges", [&] { mark_torn_edges(model, {}, rim, {.reach = nan}); });
   expect_refused("trim_long_edges", [&] { trim_long_edges(mesh, {.max_edge = nan}); });
   expect_refused("scan_ends", [&] { scan_ends(model, {}, scans, {.scanned = nan}); });
   expect_refused("reaches_beyond", [&] { reaches_beyond(model, {}, scans, {.scanned = nan}); });

@@ -32,16 +32,15 @@ struct WallEdgeOptions {
 
 // Marks such edges of a rim with seams as inner ones (RimLoop::inner), and counts them
 // (CloudRim::wall_edges, seam_edges); a rim without any seam is left as it is, and so is one of
-// which nothing would be left. To be called before mark_torn_edges(), for which such edges are
-// seams. `clouds`: that of the rim, and all others. Noise is taken for a step: with 0.15 spacings
-// of it one in forty edges where the scan of an unchanged thin sheet ends is marked, with 0.3 one
-// in four; the others still tell. Why: where a thin wall was cut, its new edge is only one or two
-// rows of samples high, and the surface of the cloud is torn along it: it ends along the edge on
-// both sides of the wall. These ends lie on the old model, as those of a scan do, and would say
-// that the wall goes on beyond them. They are seams (rim_seams.h), but what is beyond them lies
-// around the corner. Complexity: O(samples + m log m) for the m of them near the rim, and what
-// NearFacets takes for those beyond it; O(rim) without seams. Deterministic. Errors: InputError for
-// options out of range. Source: ours.
+// which nothing would be left. `clouds`: that of the rim, and all others. Noise is taken for a
+// step: with 0.15 spacings of it one in forty edges where the scan of an unchanged thin sheet ends
+// is marked, with 0.3 one in four; the others still tell. Why: where a thin wall was cut, its new
+// edge is only one or two rows of samples high, and the surface of the cloud is torn along it: it
+// ends along the edge on both sides of the wall. These ends lie on the old model, as those of a
+// scan do, and would say that the wall goes on beyond them. They are seams (rim_seams.h), but what
+// is beyond them lies around the corner. Complexity: O(samples + m log m) for the m of them near
+// the rim, and what NearFacets takes for those beyond it; O(rim) without seams. Deterministic.
+// Errors: InputError for options out of range. Source: ours.
 void mark_wall_edges(const ModelIndex& model, std::span<const std::vector<Point>> clouds,
                      CloudRim& rim, const WallEdgeOptions& options = {});
 

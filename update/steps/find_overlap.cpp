@@ -16,7 +16,6 @@ void report_overlap(UpdateRun& run, std::size_t c) {
   for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
     const LoopOverlap& loop = overlap.loops[l];
     if (loop.match == LoopMatch::on_model) continue;
-    if (run.result.clouds[c].surface.rim.loops[l].is_seam) continue;
     run.warn(run.name_of_loop(c, l) + ": " +
              warning_of_loop(loop, loop.covered > 0 || !run.rims.shared_with[c].empty()));
   }
