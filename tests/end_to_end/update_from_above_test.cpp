@@ -152,6 +152,24 @@ TEST(UpdateFromAbove, WhatWasSeenIsCounted) {
   EXPECT_EQ(without.heeded_likely, 0U);
 }
 
+// One scan of both: what helps one of them must not be refused for what the other lacks.
+TEST(UpdateFromAbove, TwoChangesInOneScan) {
+  const TriangleMesh model = sampled_block();
+  for (const double height : {4.0, 6.0, 8.0, -4.0, -6.0, -8.0}) {
+    SCOPED_TRACE(height);
+    const Scene deep{height, 4, 0.05, -10};
+    const Scene flat{height / 2, 4, 0.05, 10};
+    std::vector<std::vector<Point>> clouds = scan(deep);
+    const std::vector<Point> other = scan(flat)[0];
+    clouds[0].insert(clouds[0].end(), other.begin(), other.end());
+    const UpdateResult result = update_model(model, clouds);
+    ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+    EXPECT_EQ(mesh_check(result.mesh).components, 1U);
+    EXPECT_EQ(mesh_check(result.mesh).euler, 2);
+    EXPECT_NEAR(share_of_change(model, result, {1.5 * height, 4}), 1, 0.2);
+  }
+}
+
 // Two bosses, or two pockets, one after the other: from the second on the session tells what is
 // known by what it has kept.
 TEST(UpdateFromAbove, ASessionSeesTheSame) {
