@@ -32,11 +32,10 @@ struct SurfaceRoughness {
   std::ptrdiff_t twice_handles = 0;
   std::size_t unused_vertices = 0;  // of the triangulation
 
-  // No more parts, nor handles; and if it has fewer of neither, no more unused vertices.
+  // No more handles, and no more parts; if it has as many, no more unused vertices.
   bool is_at_most(const SurfaceRoughness& other) const {
     if (parts > other.parts || twice_handles > other.twice_handles) return false;
-    return parts < other.parts || twice_handles < other.twice_handles ||
-           unused_vertices <= other.unused_vertices;
+    return parts < other.parts || unused_vertices <= other.unused_vertices;
   }
 };
 
