@@ -28,7 +28,8 @@ struct CellMarks {
 
   std::size_t good_vertices = 0;
   std::size_t visited_vertices = 0;
-  std::size_t refuted_vertices = 0;  // closed umbrellas that known cells contradict: not good
+  // Closed umbrellas that known cells contradict, or that mark_undoubted_cells() doubts: not good.
+  std::size_t refuted_vertices = 0;
   std::size_t rounds = 0;            // 0: no two vertices disagreed, one pass decided
   std::size_t known_cells = 0;       // that had their labels before the rounds
   std::size_t conflicts = 0;         // halves, or cells, that were told both (mark_cells.h)

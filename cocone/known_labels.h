@@ -34,7 +34,8 @@ struct KnownLabels {
   IdVector<CellId, CellLabel> likely;
 };
 
-// What tells the labels of a triangulation's cells; asked only where something is in doubt.
+// What tells the labels of a triangulation's cells; asked only where something is in doubt, or (for
+// what is likely alone) marks do not reach all good vertices.
 // `surface` is what the stages hold for the surface: it may tell where to look, not what is true.
 // An empty source knows nothing.
 using KnownLabelsSource = std::function<KnownLabels(

@@ -1,6 +1,7 @@
 #include "cocone/mark_cells.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "cocone/marking/disputed_marks.h"
 #include "cocone/marking/half_labels.h"
 #include "delaunay/star_cache.h"
+#include "geom/arrays/disjoint_sets.h"
 #include "geom/arrays/sort_ids.h"
 #include "geom/messages/require_size.h"
 
@@ -94,9 +96,26 @@ void demote_refuted(const Triangulation& triangulation, const FacetSet& surface,
   marks.good_vertices -= marks.refuted_vertices;
 }
 
-void demote_unvisited(CellMarks& marks) {
+// Good vertices that no mark reached, on parts of the surface that the labeled cells touch.
+void demote_unvisited(const Triangulation& triangulation, const FacetSet& surface,
+                      const IdVector<CellId, CellLabel>& labels, CellMarks& marks) {
+  const auto is_unvisited = [&](VertexId v) { return marks.good[v] != 0 && marks.visited[v] == 0; };
+  DisjointSets parts(triangulation.num_vertices());
+  surface.for_each(triangulation, [&](FacetId f) {
+    const auto [a, b, c] = triangulation.facet_vertices(f);
+    if (is_unvisited(a) && is_unvisited(b)) parts.join(a.value, b.value);
+    if (is_unvisited(b) && is_unvisited(c)) parts.join(b.value, c.value);
+    if (is_unvisited(c) && is_unvisited(a)) parts.join(c.value, a.value);
+  });
+  std::vector<std::uint8_t> is_touched(triangulation.num_vertices(), 0);  // by the root of a part
+  for (const CellId c : triangulation.finite_cells()) {
+    if (labels[c] == CellLabel::unmarked) continue;
+    for (const VertexId v : triangulation.cell(c).vertices) {
+      if (is_unvisited(v)) is_touched[parts.root(v.value)] = 1;
+    }
+  }
   for (const VertexId v : marks.good.ids()) {
-    if (marks.good[v] == 0 || marks.visited[v] != 0) continue;
+    if (!is_unvisited(v) || is_touched[parts.root(v.value)] == 0) continue;
     marks.good[v] = 0;
     ++marks.refuted_vertices;
     --marks.good_vertices;
@@ -159,24 +178,30 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
 }
 
 CellMarks mark_undoubted_cells(const Triangulation& triangulation, const LinkedFacets& surface,
-                               GoodVertices good, const IdVector<CellId, CellLabel>& known,
+                               GoodVertices good, const KnownLabels& told,
                                const Execution& execution) {
   require_facets("mark_undoubted_cells", triangulation, surface);
   require_vertex_flags("mark_undoubted_cells", triangulation, good.good);
-  require_size("mark_undoubted_cells", "known labels of cells", known.size(),
-               triangulation.num_cells());
+  for (const auto* labels : {&told.labels, &told.likely}) {
+    require_size("mark_undoubted_cells", "labels of cells", labels->size(),
+                 triangulation.num_cells());
+  }
   report_progress(execution, "mark_cells", 0);
   CellMarks marks = no_marks(good);
-  CarriedMarks carried = carry_marks(triangulation, surface, good.corner_at, {}, marks, execution);
-  marks.known = known;
+  const auto carry = [&] {
+    return carry_marks(triangulation, surface, good.corner_at, {}, marks, execution);
+  };
+  CarriedMarks carried = carry();
+  marks.known = told.labels;
   demote_refuted(triangulation, surface.set, carried, marks, execution);
-  demote_unvisited(marks);
   marks.known = {};
-  carried = carry_marks(triangulation, surface, good.corner_at, {}, marks, execution);
+  if (marks.refuted_vertices > 0) carried = carry();
+  demote_unvisited(triangulation, surface.set, told.likely, marks);
   if (!carried.disputed.empty()) {
-    settle(triangulation, surface, good.corner_at, std::move(carried), {}, marks, execution);
+    const BeforeTheRounds before = before_the_rounds(triangulation, marks);
+    settle_disputes(triangulation, surface, good.corner_at, carried, before.seeds, before.labels,
+                    marks, execution);
   }
-  marks.known = known;
   report_progress(execution, "mark_cells", 1);
   return marks;
 }

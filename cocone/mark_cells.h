@@ -47,13 +47,15 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
                      GoodVertices good, const KnownLabelsSource& known,
                      const Execution& execution = {});
 
-// Marks that leave to the clean-up what `known` puts in doubt, whether or not vertices disagree:
-// good vertices that known cells contradict, and those that no mark reaches, as on a surface behind
-// what it contradicts, are no longer good (refuted_vertices). The known labels are none of marks;
-// the clean-up has them by CellMarks::known. `known`: as many as there are cells. Errors and
-// complexity as above.
+// Marks without the vertices that labels put in doubt, whether or not vertices disagree: good
+// vertices that cells of told.labels contradict, and those that no mark reaches after that on parts
+// of the surface which cells of told.likely touch, as on a floor behind what closes the mouth of
+// its pocket. They are no longer good (refuted_vertices). The labels mark nothing themselves, and
+// are not in CellMarks::known: whoever wants the clean-up to heed them puts them there. Both of
+// `told`: as many as there are cells. Errors, complexity and determinism as above. Source: ours,
+// docs/stages/mark_cells.md, likely labels.
 CellMarks mark_undoubted_cells(const Triangulation& triangulation, const LinkedFacets& surface,
-                               GoodVertices good, const IdVector<CellId, CellLabel>& known,
+                               GoodVertices good, const KnownLabels& told,
                                const Execution& execution = {});
 
 }  // namespace cocoon

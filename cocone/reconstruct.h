@@ -57,6 +57,9 @@ struct ReconstructOptions {
   // this share of those cells lies on the other side of the surface, it is made again with them
   // known. A few may, at slivers.
   double max_contradicted_likely = 0.03;
+  // It is taken if it has no more parts and handles, and no more unused vertices; for each part
+  // that it has less, so many more of these are allowed.
+  std::size_t max_unused_per_part = 10;
   // Verify triangulation and surface (verify_surface.h) before they are believed. What is refuted
   // is not delivered: the mesh is left empty.
   bool verify = false;
@@ -101,7 +104,8 @@ struct ReconstructCounters {
   // Told by a mesh of another program, but left to good vertices, since the surface would touch
   // itself.
   std::size_t yielded_cells = 0;
-  std::size_t refuted_vertices = 0;  // no good ones, since known cells contradict them
+  // No good ones, since known or likely cells contradict them, or hide them from all marks.
+  std::size_t refuted_vertices = 0;
   std::size_t poor_cells = 0;
   std::size_t deferred_seeds = 0;
   CleanUpCounters clean_up;
@@ -161,7 +165,8 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
 // for known, too, if the surface contradicts it otherwise, and is no rougher then
 // (marking/likely_labels.h): in that case all after the extraction is done two or three times.
 // Where nothing is in doubt, and marks reach every good vertex, `known` is not asked; nor is it in
-// paper mode. It is asked once at most.
+// paper mode. It is asked once at most. If nothing else is in doubt than vertices that no mark
+// reaches, only what is likely counts.
 ReconstructResult reconstruct_tight_with_labels(Points points, const KnownLabelsSource& known,
                                                 const ReconstructOptions& options = {},
                                                 const Execution& execution = {});

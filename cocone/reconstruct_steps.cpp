@@ -261,45 +261,52 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
   } else {
     best = clean_up_knowing(std::move(marks), told, execution);
   }
-  if (!told.likely.empty()) heed_likely(std::move(told), best, execution);
+  if (!told.likely.empty()) heed_likely(std::move(told), in_doubt, best, execution);
   forget_links();
   result_.counters.yielded_cells = best.yielded_cells;
   deliver(std::move(best.body), execution);
 }
 
-void ReconstructSteps::heed_likely(KnownLabels told, Attempt& best, const Execution& execution) {
+void ReconstructSteps::heed_likely(KnownLabels told, bool in_doubt, Attempt& best,
+                                   const Execution& execution) {
   ReconstructCounters& counters = result_.counters;
   const IdVector<CellId, CellLabel> likely = told.likely;
-  counters.likely_cells = count_labels(likely);
-  counters.contradicted_likely = count_contradicted(likely, best.body.marks.reached);
-  const auto is_contradicted = [&] {
-    return static_cast<double>(count_contradicted(likely, best.body.marks.reached)) >
+  const auto contradicted = [&] { return count_contradicted(likely, best.body.marks.reached); };
+  const auto are_too_many = [&](std::size_t cells) {
+    return static_cast<double>(cells) >
            options_.max_contradicted_likely * static_cast<double>(counters.likely_cells);
   };
-  if (!is_contradicted()) return;
+  counters.likely_cells = count_labels(likely);
+  counters.contradicted_likely = contradicted();
+  if (!are_too_many(counters.contradicted_likely)) return;
   const auto roughness = [&](const Attempt& of) {
     return surface_roughness(surface_between(*triangulation_, of.body.marks, execution),
                              result_.vertices, execution);
   };
-  const auto offer = [&](Attempt other) {
-    if (!roughness(other).is_at_most(roughness(best))) return;
-    counters.heeded_likely = counters.likely_cells;
-    best = std::move(other);
-  };
+  SurfaceRoughness least = roughness(best);
   KnownLabels taken;
   taken.undisturbed = told.undisturbed;  // whether it is a mesh of ours
   taken.labels = with_likely(std::move(told));
-  if (is_in_doubt(best.body.marks)) {
+  taken.likely = likely;
+  const auto offer = [&](CellMarks marks) {
+    Attempt other = clean_up_knowing(peel(std::move(marks), execution), taken, execution);
+    const SurfaceRoughness rough = roughness(other);
+    if (!rough.is_at_most(least, options_.max_unused_per_part)) return;
+    counters.heeded_likely = counters.likely_cells;
+    best = std::move(other);
+    least = rough;
+  };
+  if (in_doubt) {
     const auto source = [&](const auto&...) { return taken; };
-    CellMarks marks = mark_cells(*triangulation_, surface_.triangles, find_good_vertices(execution),
-                                 source, execution);
-    offer(clean_up_knowing(peel(std::move(marks), execution), taken, execution));
-    if (!is_contradicted()) return;
+    offer(mark_cells(*triangulation_, surface_.triangles, find_good_vertices(execution), source,
+                     execution));
+    if (!are_too_many(contradicted())) return;
   }
-  CellMarks marks = mark_undoubted_cells(*triangulation_, surface_.triangles,
-                                         find_good_vertices(execution), taken.labels, execution);
-  marks = peel(std::move(marks), execution);
-  offer(clean_up_yielding(marks, std::move(taken.labels), execution));
+  KnownLabels doubts = taken;
+  // A mesh of another program contradicts many good vertices.
+  if (!taken.undisturbed.empty()) doubts.labels = likely;
+  offer(mark_undoubted_cells(*triangulation_, surface_.triangles, find_good_vertices(execution),
+                             doubts, execution));
 }
 
 ReconstructSteps::Attempt ReconstructSteps::clean_up_knowing(CellMarks marks,

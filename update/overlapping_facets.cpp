@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -264,7 +263,8 @@ LoopMatch match_of(const LoopOverlap& loop, double max_share) {
   return LoopMatch::on_model;
 }
 
-// Loops off the model are holes inside the cloud, unless the longest loop is one of them.
+// Loops off the model are holes inside the cloud, or parts of it off the model, unless the longest
+// loop is one of them.
 void match_loops(const CloudRim& rim, const OverlapOptions& options, Overlap& overlap) {
   if (rim.loops.empty()) {
     overlap.status = OverlapStatus::no_overlap;

@@ -42,12 +42,12 @@ struct OverlapOptions {
   // A loop with a larger share of unmatched points does not lie on the model.
   double max_unmatched_share = 0.1;
   // Nor does a loop other than the longest of its part of the surface if a larger share of its
-  // points is unmatched or farther from the model than that one (its median), by so many spacings,
-  // as in max_distance: one side of it is the shadow of the other, as in a dent that is seen at a
-  // slant. Nor does the longest loop of another part if a larger share of its points than
-  // max_raised_outline is farther off, by that distance, than the longest loop of all: it is the
-  // top of a boss, or the floor of a pocket. A rim with a point so much farther off than its median
-  // is worth a warning.
+  // points is unmatched or farther from the model than that one, or the longest of all (the smaller
+  // of their medians), by so many spacings, as in max_distance: one side of it is the shadow of the
+  // other, as in a dent that is seen at a slant. Nor does the longest loop of another part if a
+  // larger share of its points than max_raised_outline is farther off, by that distance, than the
+  // longest loop of all: it is the top of a boss, or the floor of a pocket. A rim with a point so
+  // much farther off than its median is worth a warning.
   double max_raised_share = 0.3;
   double max_raised_outline = 0.7;
   double raised_distance = 1;
@@ -57,9 +57,10 @@ struct OverlapOptions {
 };
 
 enum class LoopMatch {
-  on_model,   // at most max_unmatched_share of its points are unmatched and not covered
+  on_model,   // at most max_unmatched_share of its points are unmatched and not covered, and few
+              // enough are raised
   covered,    // as good as all of its points lie on other clouds: no border of its own
-  off_model,  // neither; allowed for a hole inside the cloud
+  off_model,  // neither; allowed for a hole inside the cloud, and for a part of it off the model
 };
 
 struct LoopOverlap {

@@ -32,10 +32,12 @@ struct SurfaceRoughness {
   std::ptrdiff_t twice_handles = 0;
   std::size_t unused_vertices = 0;  // of the triangulation
 
-  // No more handles, and no more parts; if it has as many, no more unused vertices.
-  bool is_at_most(const SurfaceRoughness& other) const {
+  // No more parts and handles, but some if the other has any; and no more unused vertices than
+  // `unused_per_part` for each part less.
+  bool is_at_most(const SurfaceRoughness& other, std::size_t unused_per_part) const {
     if (parts > other.parts || twice_handles > other.twice_handles) return false;
-    return parts < other.parts || unused_vertices <= other.unused_vertices;
+    if (parts == 0 && other.parts > 0) return false;
+    return unused_vertices <= other.unused_vertices + unused_per_part * (other.parts - parts);
   }
 };
 

@@ -15,10 +15,13 @@ struct Marked {
     surface = triangles.set;
   }
 
-  CellMarks undoubted(const IdVector<CellId, CellLabel>& known) const {
+  // `labels_in_doubt` count as known and as likely.
+  CellMarks undoubted(const IdVector<CellId, CellLabel>& labels_in_doubt) const {
     const LinkedFacets triangles = s.surface(labels);
+    KnownLabels told;
+    told.labels = told.likely = labels_in_doubt;
     return mark_undoubted_cells(s.triangulation, triangles,
-                                good_vertices(triangles, labels.boundary), known);
+                                good_vertices(triangles, labels.boundary), told);
   }
 
   Stages s;

@@ -76,7 +76,7 @@ Shares shares_of(const TriangleMesh& model, const std::vector<Scene>& scenes,
                  const UpdateOptions& options = {}) {
   Shares shares;
   for (const Scene& scene : scenes) {
-    SCOPED_TRACE(::testing::Message() << scene.height << ' ' << scene.radius);
+    SCOPED_TRACE(::testing::Message() << scene.height << ' ' << scene.radius << ' ' << scene.noise);
     const UpdateResult result = update_model(model, scan(scene), options);
     EXPECT_EQ(result.status, UpdateStatus::ok) << result.message;
     const MeshReport report = mesh_check(result.mesh);
@@ -129,6 +129,28 @@ TEST(UpdateFromAbove, APocketDeeperThanItIsWideIsOpen) {
     const Shares shares = shares_of(model, scenes);
     EXPECT_GT(shares.least, 0.6);
     EXPECT_LT(shares.most, 1.25);
+  }
+}
+
+// No mark reaches the wall of a hollow elsewhere in the block, and no sample saw it: it stays.
+TEST(UpdateFromAbove, AHollowBesideAPocketStays) {
+  TriangleMesh model = sampled_block();
+  const TriangleMesh cavity = testing::block(6, 10, 4);
+  const std::size_t outer = model.points.size();
+  for (const Point& p : cavity.points) model.points.push_back(p + Point{2, 10, 4});
+  for (const auto& [a, b, c] : cavity.triangles) {
+    model.triangles.push_back(
+        {VertexId(outer + a.index()), VertexId(outer + c.index()), VertexId(outer + b.index())});
+  }
+  const Scene scene{-8, 3, 0.05, 6};
+  const UpdateResult result = update_model(model, scan(scene));
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_GT(result.reconstruction.counters.heeded_likely, 0U);
+  EXPECT_EQ(mesh_check(result.mesh).components, 2U);
+  EXPECT_EQ(mesh_check(result.mesh).euler, 4);
+  EXPECT_NEAR(share_of_change(model, result, scene), 1, 0.3);
+  for (std::size_t v = outer; v < model.points.size(); ++v) {
+    EXPECT_FALSE(result.vertex_map[VertexId(v)].is_none()) << v;
   }
 }
 

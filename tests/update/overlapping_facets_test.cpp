@@ -58,6 +58,7 @@ TEST(OverlappingFacets, OptionsOutOfRangeAreRefused) {
            OverlapOptions{.facing_preference = nan},
            OverlapOptions{.max_unmatched_share = 10},
            OverlapOptions{.max_raised_share = -0.1},
+           OverlapOptions{.max_raised_outline = 1.5},
            OverlapOptions{.raised_distance = nan},
            OverlapOptions{.step_distance = -2},
        }) {
@@ -327,7 +328,7 @@ TEST(OverlappingFacets, ALoopThatIsPartlyRaisedIsAHole) {
   EXPECT_EQ(match(0, {.raised_distance = 3}), LoopMatch::on_model);
   // Where all of the scan is that far off, it is not raised.
   EXPECT_EQ(match(-1.5), LoopMatch::on_model);
-  // Nor is the outline of another patch.
+  // Nor is the outline of another patch, but if more of it were.
   loop.component = 1;
   EXPECT_EQ(match(0), LoopMatch::on_model);
 }

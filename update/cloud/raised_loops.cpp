@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "geom/arrays/median.h"
+#include "geom/point.h"
+#include "geom/triangle_mesh.h"
 
 namespace cocoon {
 namespace {
@@ -79,9 +81,8 @@ void count_raised(const ModelIndex& model, const CloudRim& rim, double raised_di
         continue;
       }
       const double height = distance(loop.feet[i], points.points[i]);
-      const double limit =
-          usual_of_part[points.component] + raised_distance * larger_spacing(model, rim, facet);
-      if (height > limit) ++loop.raised;
+      const double reference = loop.is_outline ? usual : usual_of_part[points.component];
+      if (height > reference + raised_distance * larger_spacing(model, rim, facet)) ++loop.raised;
     }
   }
 }

@@ -1,9 +1,8 @@
-// The edges along which a cloud ends, and the samples beyond them that are off the model.
+// The edges along which a cloud ends, and the samples beside and beyond them.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -35,8 +34,8 @@ std::vector<Point> samples_near(std::span<const std::vector<Point>> clouds,
                                 const std::vector<RimEdge>& edges, double reach);
 
 // The pairs of an edge and a sample within `reach` of its middle that lies at least `outward`
-// beyond it; in the order of edges. Few, where a rim is the end of its scan. Complexity: O(n log n)
-// for n samples near the edges.
+// beyond it (less than 0: no farther inward); in the order of edges. Complexity: O(n log n) for n
+// samples near the edges.
 std::vector<SampleBeyond> samples_beyond(const std::vector<RimEdge>& edges,
                                          const std::vector<Point>& samples, double reach,
                                          double outward);
@@ -45,7 +44,7 @@ struct StepBounds {
   double min_step = 0;
   double farthest = 0;  // distances from the model beyond this count as infinite
   // Of edges farther from the model than this nothing more is asked.
-  double off_model = std::numeric_limits<double>::infinity();
+  double off_model = 0;
 };
 
 // 1 for the edges with a sample beyond them whose distance from the model differs from that of the

@@ -286,8 +286,11 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
 }
 
 std::string warning_of_loop(const LoopOverlap& loop, bool at_others) {
-  if (loop.match == LoopMatch::off_model)
-    return "is off the model and taken for a hole in the cloud";
+  if (loop.match == LoopMatch::off_model) {
+    return loop.is_outline ? "outlines a part of the cloud that is off the model, as a top or a "
+                             "floor, and is no border"
+                           : "is off the model and taken for a hole in the cloud";
+  }
   return at_others ? "lies on other clouds and is no border"
                    : "runs along a seam inside the cloud and is no border";
 }

@@ -69,14 +69,22 @@ TEST(SurfaceRoughness, CountsWhereTheSurfaceTouchesItself) {
 
 TEST(SurfaceRoughness, IsComparedInEachNumber) {
   const SurfaceRoughness one{2, 4, 5};
-  EXPECT_TRUE(one.is_at_most({2, 4, 5}));
-  EXPECT_TRUE(one.is_at_most({3, 6, 6}));
-  EXPECT_FALSE(one.is_at_most({1, 9, 9}));
-  EXPECT_FALSE(one.is_at_most({9, 2, 9}));
-  EXPECT_FALSE(one.is_at_most({2, 4, 4}));
-  EXPECT_FALSE(one.is_at_most({2, 5, 4}));
-  // A few unused vertices are worth a part less.
-  EXPECT_TRUE(one.is_at_most({3, 4, 4}));
+  const auto is_at_most = [&](const SurfaceRoughness& other) { return one.is_at_most(other, 3); };
+  EXPECT_TRUE(is_at_most({2, 4, 5}));
+  EXPECT_TRUE(is_at_most({3, 6, 6}));
+  EXPECT_FALSE(is_at_most({1, 9, 9}));
+  EXPECT_FALSE(is_at_most({9, 2, 9}));
+  EXPECT_FALSE(is_at_most({2, 4, 4}));
+  EXPECT_FALSE(is_at_most({2, 5, 4}));
+}
+
+// A few unused vertices are worth a part less, but not a body, nor all of the surface.
+TEST(SurfaceRoughness, APartLessIsWorthSomeVertices) {
+  const SurfaceRoughness two{2, 0, 5};
+  EXPECT_TRUE((SurfaceRoughness{1, 0, 8}).is_at_most(two, 3));
+  EXPECT_FALSE((SurfaceRoughness{1, 0, 9}).is_at_most(two, 3));
+  EXPECT_FALSE((SurfaceRoughness{0, 0, 5}).is_at_most(two, 3));
+  EXPECT_TRUE((SurfaceRoughness{0, 0, 5}).is_at_most({0, 0, 5}, 3));
 }
 
 }  // namespace

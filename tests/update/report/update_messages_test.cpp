@@ -113,6 +113,9 @@ TEST(UpdateMessages, ALoopThatIsNoBorderIsSaid) {
   LoopOverlap loop;
   loop.match = LoopMatch::off_model;
   EXPECT_TRUE(says({warning_of_loop(loop, false)}, "taken for a hole"));
+  loop.is_outline = true;
+  EXPECT_TRUE(says({warning_of_loop(loop, false)}, "outlines a part of the cloud that is off"));
+  loop.is_outline = false;
   loop.match = LoopMatch::covered;
   EXPECT_TRUE(says({warning_of_loop(loop, true)}, "lies on other clouds"));
   EXPECT_TRUE(says({warning_of_loop(loop, false)}, "along a seam inside the cloud"));
