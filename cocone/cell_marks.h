@@ -30,11 +30,11 @@ struct CellMarks {
   std::size_t visited_vertices = 0;
   // Closed umbrellas that known cells contradict, or that mark_undoubted_cells() doubts: not good.
   std::size_t refuted_vertices = 0;
-  std::size_t rounds = 0;            // 0: no two vertices disagreed, one pass decided
-  std::size_t known_cells = 0;       // that had their labels before the rounds
-  std::size_t conflicts = 0;         // halves, or cells, that were told both (mark_cells.h)
-  std::size_t deferred_seeds = 0;    // of peel_cells
-  std::size_t poor_cells = 0;        // of peel_cells: cells without a good vertex
+  std::size_t rounds = 0;          // 0: no two vertices disagreed, one pass decided
+  std::size_t known_cells = 0;     // that had their labels before the rounds
+  std::size_t conflicts = 0;       // halves, or cells, that were told both (mark_cells.h)
+  std::size_t deferred_seeds = 0;  // of peel_cells
+  std::size_t poor_cells = 0;      // of peel_cells: cells without a good vertex
 };
 
 // Whether a vertex of a finite cell is in the set. O(1).
