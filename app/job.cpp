@@ -37,12 +37,12 @@ void Job::warn(const std::string& warning) {
   say("warning: {}", warning);
 }
 
-// Floats are written to binary STL, and to PLY with --float.
 void Job::make_folder(const std::string& path) {
   require_possible_name(path);
   folders_.emplace_back(path);
 }
 
+// Floats are written to binary STL, and to PLY with --float.
 void Job::warn_of_rounding(FileBatch& batch) {
   for (const RoundedFile& file : batch.take_rounded()) {
     if (!rounded_.insert(file.target.string()).second) continue;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/facets/good_parts.h"
 #include "cocone/facets/half_star.h"
 #include "cocone/inputs/stage_inputs.h"
 #include "cocone/known_labels.h"
@@ -53,11 +54,12 @@ BeforeTheRounds before_the_rounds(const Triangulation& triangulation, CellMarks&
 // that were carried fit the surface, and what is known of their cells. At those that were not
 // visited cells may have labels from other vertices, which need not fit.
 std::vector<VertexId> may_be_refuted(const Triangulation& triangulation,
+                                     const IdVector<CellId, CellLabel>& known,
                                      const CarriedMarks& carried, const CellMarks& marks) {
   std::vector<VertexId> asked = carried.disputed;
   for (const CellId c : triangulation.finite_cells()) {
-    if (marks.known[c] == CellLabel::unmarked) continue;
-    const bool fits = marks.known[c] == marks.labels[c];
+    if (known[c] == CellLabel::unmarked) continue;
+    const bool fits = known[c] == marks.labels[c];
     for (const VertexId v : triangulation.cell(c).vertices) {
       if (marks.good[v] != 0 && (!fits || marks.visited[v] == 0)) asked.push_back(v);
     }
@@ -66,6 +68,7 @@ std::vector<VertexId> may_be_refuted(const Triangulation& triangulation,
   return asked;
 }
 
+// Takes the flags of the good vertices over.
 CellMarks no_marks(GoodVertices& good) {
   CellMarks marks;
   marks.good = std::move(good.good);
@@ -74,26 +77,30 @@ CellMarks no_marks(GoodVertices& good) {
   return marks;
 }
 
+void demote(VertexId v, CellMarks& marks) {
+  marks.good[v] = 0;
+  ++marks.refuted_vertices;
+  --marks.good_vertices;
+}
+
 // A closed umbrella may be no part of the surface. Where known cells tell both labels in one half
 // of the star, or one label in both, it is not, and its vertex is not good.
 void demote_refuted(const Triangulation& triangulation, const FacetSet& surface,
-                    const CarriedMarks& carried, CellMarks& marks, const Execution& execution) {
+                    const IdVector<CellId, CellLabel>& known, const CarriedMarks& carried,
+                    CellMarks& marks, const Execution& execution) {
   StarCache stars(triangulation, execution);
   HalfStar half(triangulation, surface);
-  for (const VertexId v : may_be_refuted(triangulation, carried, marks)) {
+  for (const VertexId v : may_be_refuted(triangulation, known, carried, marks)) {
     const std::span<const CellId> star = stars.star(v);
     half.flood(v, star.front());
     LabelCount flooded;
     LabelCount rest;
     for (const CellId c : star) {
-      const CellLabel label = triangulation.is_infinite(c) ? CellLabel::out : marks.known[c];
+      const CellLabel label = triangulation.is_infinite(c) ? CellLabel::out : known[c];
       (half.contains(c) ? flooded : rest).add(label);
     }
-    if (!label_halves(flooded, rest).conflict) continue;
-    marks.good[v] = 0;
-    ++marks.refuted_vertices;
+    if (label_halves(flooded, rest).conflict) demote(v, marks);
   }
-  marks.good_vertices -= marks.refuted_vertices;
 }
 
 // Good vertices that no mark reached, on parts of the surface that the labeled cells touch.
@@ -102,10 +109,7 @@ void demote_unvisited(const Triangulation& triangulation, const FacetSet& surfac
   const auto is_unvisited = [&](VertexId v) { return marks.good[v] != 0 && marks.visited[v] == 0; };
   DisjointSets parts(triangulation.num_vertices());
   surface.for_each(triangulation, [&](FacetId f) {
-    const auto [a, b, c] = triangulation.facet_vertices(f);
-    if (is_unvisited(a) && is_unvisited(b)) parts.join(a.value, b.value);
-    if (is_unvisited(b) && is_unvisited(c)) parts.join(b.value, c.value);
-    if (is_unvisited(c) && is_unvisited(a)) parts.join(c.value, a.value);
+    join_good(parts, triangulation.facet_vertices(f), is_unvisited);
   });
   std::vector<std::uint8_t> is_touched(triangulation.num_vertices(), 0);  // by the root of a part
   for (const CellId c : triangulation.finite_cells()) {
@@ -115,10 +119,7 @@ void demote_unvisited(const Triangulation& triangulation, const FacetSet& surfac
     }
   }
   for (const VertexId v : marks.good.ids()) {
-    if (!is_unvisited(v) || is_touched[parts.root(v.value)] == 0) continue;
-    marks.good[v] = 0;
-    ++marks.refuted_vertices;
-    --marks.good_vertices;
+    if (is_unvisited(v) && is_touched[parts.root(v.value)] != 0) demote(v, marks);
   }
 }
 
@@ -131,7 +132,7 @@ void settle(const Triangulation& triangulation, const LinkedFacets& surface,
     if (!marks.known.empty()) {
       require_size("mark_cells", "known labels of cells", marks.known.size(),
                    triangulation.num_cells());
-      demote_refuted(triangulation, surface.set, carried, marks, execution);
+      demote_refuted(triangulation, surface.set, marks.known, carried, marks, execution);
     }
   }
   const BeforeTheRounds before = before_the_rounds(triangulation, marks);
@@ -178,11 +179,12 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
 }
 
 CellMarks mark_undoubted_cells(const Triangulation& triangulation, const LinkedFacets& surface,
-                               GoodVertices good, const KnownLabels& told,
+                               GoodVertices good, const IdVector<CellId, CellLabel>& known,
+                               const IdVector<CellId, CellLabel>& likely,
                                const Execution& execution) {
   require_facets("mark_undoubted_cells", triangulation, surface);
   require_vertex_flags("mark_undoubted_cells", triangulation, good.good);
-  for (const auto* labels : {&told.labels, &told.likely}) {
+  for (const auto* labels : {&known, &likely}) {
     require_size("mark_undoubted_cells", "labels of cells", labels->size(),
                  triangulation.num_cells());
   }
@@ -192,11 +194,9 @@ CellMarks mark_undoubted_cells(const Triangulation& triangulation, const LinkedF
     return carry_marks(triangulation, surface, good.corner_at, {}, marks, execution);
   };
   CarriedMarks carried = carry();
-  marks.known = told.labels;
-  demote_refuted(triangulation, surface.set, carried, marks, execution);
-  marks.known = {};
+  demote_refuted(triangulation, surface.set, known, carried, marks, execution);
   if (marks.refuted_vertices > 0) carried = carry();
-  demote_unvisited(triangulation, surface.set, told.likely, marks);
+  demote_unvisited(triangulation, surface.set, likely, marks);
   if (!carried.disputed.empty()) {
     const BeforeTheRounds before = before_the_rounds(triangulation, marks);
     settle_disputes(triangulation, surface, good.corner_at, carried, before.seeds, before.labels,

@@ -48,14 +48,15 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
                      const Execution& execution = {});
 
 // Marks without the vertices that labels put in doubt, whether or not vertices disagree: good
-// vertices that cells of told.labels contradict, and those that no mark reaches after that on parts
-// of the surface which cells of told.likely touch, as on a floor behind what closes the mouth of
-// its pocket. They are no longer good (refuted_vertices). The labels mark nothing themselves, and
-// are not in CellMarks::known: whoever wants the clean-up to heed them puts them there. Both of
-// `told`: as many as there are cells. Errors, complexity and determinism as above. Source: ours,
+// vertices that cells of `known` contradict, and those that no mark reaches after that on parts of
+// the surface which cells of `likely` touch, as on a floor behind what closes the mouth of its
+// pocket. They are no longer good (refuted_vertices). The labels mark nothing themselves, and are
+// not in CellMarks::known: whoever wants the clean-up to heed them puts them there. Both: as many
+// as there are cells. Errors, complexity and determinism as above. Source: ours,
 // docs/stages/mark_cells.md, likely labels.
 CellMarks mark_undoubted_cells(const Triangulation& triangulation, const LinkedFacets& surface,
-                               GoodVertices good, const KnownLabels& told,
+                               GoodVertices good, const IdVector<CellId, CellLabel>& known,
+                               const IdVector<CellId, CellLabel>& likely,
                                const Execution& execution = {});
 
 }  // namespace cocoon

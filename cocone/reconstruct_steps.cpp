@@ -261,16 +261,16 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
   } else {
     best = clean_up_knowing(std::move(marks), told, execution);
   }
-  if (!told.likely.empty()) heed_likely(std::move(told), in_doubt, best, execution);
+  if (!told.likely.empty()) heed_likely(told, in_doubt, best, execution);
   forget_links();
   result_.counters.yielded_cells = best.yielded_cells;
   deliver(std::move(best.body), execution);
 }
 
-void ReconstructSteps::heed_likely(KnownLabels told, bool in_doubt, Attempt& best,
+void ReconstructSteps::heed_likely(const KnownLabels& told, bool in_doubt, Attempt& best,
                                    const Execution& execution) {
   ReconstructCounters& counters = result_.counters;
-  const IdVector<CellId, CellLabel> likely = told.likely;
+  const IdVector<CellId, CellLabel>& likely = told.likely;
   const auto contradicted = [&] { return count_contradicted(likely, best.body.marks.reached); };
   const auto are_too_many = [&](std::size_t cells) {
     return static_cast<double>(cells) >
@@ -284,10 +284,10 @@ void ReconstructSteps::heed_likely(KnownLabels told, bool in_doubt, Attempt& bes
                              result_.vertices, execution);
   };
   SurfaceRoughness least = roughness(best);
+  const bool is_foreign = !told.undisturbed.empty();
   KnownLabels taken;
-  taken.undisturbed = told.undisturbed;  // whether it is a mesh of ours
-  taken.labels = with_likely(std::move(told));
-  taken.likely = likely;
+  taken.undisturbed = told.undisturbed;
+  taken.labels = with_likely(told);
   const auto offer = [&](CellMarks marks) {
     Attempt other = clean_up_knowing(peel(std::move(marks), execution), taken, execution);
     const SurfaceRoughness rough = roughness(other);
@@ -302,11 +302,9 @@ void ReconstructSteps::heed_likely(KnownLabels told, bool in_doubt, Attempt& bes
                      execution));
     if (!are_too_many(contradicted())) return;
   }
-  KnownLabels doubts = taken;
   // A mesh of another program contradicts many good vertices.
-  if (!taken.undisturbed.empty()) doubts.labels = likely;
   offer(mark_undoubted_cells(*triangulation_, surface_.triangles, find_good_vertices(execution),
-                             doubts, execution));
+                             is_foreign ? likely : taken.labels, likely, execution));
 }
 
 ReconstructSteps::Attempt ReconstructSteps::clean_up_knowing(CellMarks marks,

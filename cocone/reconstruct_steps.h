@@ -95,7 +95,8 @@ class ReconstructSteps {
   // Makes the body again with what is likely taken for known, if too much of that contradicts it:
   // first with marks as they are where it is known, then, if still too much does, by marks that
   // leave more to the clean-up (mark_undoubted_cells). Takes those whose surfaces are no rougher.
-  void heed_likely(KnownLabels told, bool in_doubt, Attempt& best, const Execution& execution);
+  void heed_likely(const KnownLabels& told, bool in_doubt, Attempt& best,
+                   const Execution& execution);
   // What follows the peel. `told` counts unless the marking has asked for labels already, as where
   // good vertices disagreed.
   Attempt clean_up_knowing(CellMarks marks, const KnownLabels& told,

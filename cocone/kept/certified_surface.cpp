@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cocone/facets/facet_size.h"
-#include "cocone/kept/good_parts.h"
+#include "cocone/facets/good_parts.h"
 #include "delaunay/circulate.h"
 #include "geom/arrays/disjoint_sets.h"
 #include "geom/arrays/sort_ids.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cocone/kept/good_parts.h"
+#include "cocone/facets/good_parts.h"
 #include "cocone/mark_cells.h"
 #include "cocone/marking/pass_labels.h"
 #include "geom/arrays/disjoint_sets.h"

@@ -18,10 +18,9 @@ struct Marked {
   // `labels_in_doubt` count as known and as likely.
   CellMarks undoubted(const IdVector<CellId, CellLabel>& labels_in_doubt) const {
     const LinkedFacets triangles = s.surface(labels);
-    KnownLabels told;
-    told.labels = told.likely = labels_in_doubt;
     return mark_undoubted_cells(s.triangulation, triangles,
-                                good_vertices(triangles, labels.boundary), told);
+                                good_vertices(triangles, labels.boundary), labels_in_doubt,
+                                labels_in_doubt);
   }
 
   Stages s;

@@ -10,6 +10,7 @@
 #include "geom/mesh_check.h"
 #include "geom/mesh_measure.h"
 #include "geom/random/random.h"
+#include "tests/mesh_gallery.h"
 #include "tests/update/hand_made_models.h"
 #include "update/update_model.h"
 #include "update/update_session.h"
@@ -134,14 +135,10 @@ TEST(UpdateFromAbove, APocketDeeperThanItIsWideIsOpen) {
 
 // No mark reaches the wall of a hollow elsewhere in the block, and no sample saw it: it stays.
 TEST(UpdateFromAbove, AHollowBesideAPocketStays) {
-  TriangleMesh model = sampled_block();
-  const TriangleMesh cavity = testing::block(6, 10, 4);
-  const std::size_t outer = model.points.size();
-  for (const Point& p : cavity.points) model.points.push_back(p + Point{2, 10, 4});
-  for (const auto& [a, b, c] : cavity.triangles) {
-    model.triangles.push_back(
-        {VertexId(outer + a.index()), VertexId(outer + c.index()), VertexId(outer + b.index())});
-  }
+  const TriangleMesh block = sampled_block();
+  const std::size_t outer = block.points.size();
+  const TriangleMesh cavity = gallery::translated(testing::block(6, 10, 4), {2, 10, 4});
+  const TriangleMesh model = gallery::both(block, gallery::flipped(cavity));
   const Scene scene{-8, 3, 0.05, 6};
   const UpdateResult result = update_model(model, scan(scene));
   ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;

@@ -8,6 +8,7 @@
 #include "geom/mesh_check.h"
 #include "tests/end_to_end/local_update.h"
 #include "tests/gallery.h"
+#include "tests/mesh_gallery.h"
 #include "tests/update/session_checks.h"
 #include "update/update_model.h"
 
@@ -26,14 +27,10 @@ struct HollowBall {
   std::size_t inner = 0;  // vertices of the hollow
 
   HollowBall() {
-    const TriangleMesh cavity = reconstruct_tight(gallery::even_sphere(1000)).mesh;
-    const std::size_t outer = model.points.size();
+    TriangleMesh cavity = reconstruct_tight(gallery::even_sphere(1000)).mesh;
     inner = cavity.points.size();
-    for (const Point& p : cavity.points) model.points.push_back(0.4 * p);
-    for (const auto& [a, b, c] : cavity.triangles) {
-      model.triangles.push_back(
-          {VertexId(outer + a.index()), VertexId(outer + c.index()), VertexId(outer + b.index())});
-    }
+    for (Point& p : cavity.points) p = 0.4 * p;
+    model = gallery::both(model, gallery::flipped(cavity));
     for (const Point& p : gallery::even_sphere(12001)) {
       const double angle = polar_angle(p);
       if (angle <= 0.6) clouds[0].push_back((1 + 0.25 * testing::hill(angle, 0.4)) * p);
