@@ -134,13 +134,12 @@ SurfaceMesh run_closing_stages(const Triangulation& t, const Poles& poles,
 TriangleMesh run_stages(Points points, const Execution& execution, Times& times) {
   Triangulation t =
       timed(times, "delaunay", [&] { return delaunay(points, {}, execution).triangulation; });
-  Dual dual;
-  ConeSides sides;
-  const Poles poles = timed(times, "poles", [&] {
-    return compute_poles(t, CoconeOptions().cosine, dual, sides, execution);
-  });
-  const Cocones cocones =
-      timed(times, "cocones", [&] { return intersect_cocones(t, std::move(sides), execution); });
+  DualAndPoles found =
+      timed(times, "poles", [&] { return dual_and_poles(t, CoconeOptions().cosine, execution); });
+  const Dual& dual = found.dual;
+  const Poles& poles = found.poles;
+  const Cocones cocones = timed(
+      times, "cocones", [&] { return intersect_cocones(t, std::move(found.sides), execution); });
   const BoundarySamples boundary = timed(
       times, "boundary", [&] { return boundary_samples(t, dual, poles, cocones, {}, execution); });
   CandidateTriangles candidates = timed(times, "candidates", [&] {

@@ -52,8 +52,8 @@ struct Cocones {
 Cocones intersect_cocones(const Triangulation& triangulation, const Dual& dual, const Poles& poles,
                           const CoconeOptions& options = {}, const Execution& execution = {});
 
-// Overload for callers that already have the sides of the Voronoi vertices (compute_poles() finds
-// them on its way).
+// Overload for callers that already have the sides of the Voronoi vertices (poles_and_sides()
+// finds them on its way).
 Cocones intersect_cocones(const Triangulation& triangulation, ConeSides sides,
                           const Execution& execution = {});
 

@@ -224,29 +224,30 @@ Poles compute_poles(const Triangulation& triangulation, const Dual& dual,
   return find_poles(triangulation, dual, nullptr, execution);
 }
 
-Poles compute_poles(const Triangulation& triangulation, const Dual& dual, double cosine,
-                    ConeSides& sides, const Execution& execution) {
-  require_options("compute_poles", CoconeOptions{cosine});
-  require_dual("compute_poles", triangulation, dual);
-  sides = {cosine, {}};
-  return find_poles(triangulation, dual, &sides, execution);
+PolesAndSides poles_and_sides(const Triangulation& triangulation, const Dual& dual, double cosine,
+                              const Execution& execution) {
+  require_options("poles_and_sides", CoconeOptions{cosine});
+  require_dual("poles_and_sides", triangulation, dual);
+  PolesAndSides both{{}, {cosine, {}}};
+  both.poles = find_poles(triangulation, dual, &both.sides, execution);
+  return both;
 }
 
-Poles compute_poles(const Triangulation& triangulation, double cosine, Dual& dual, ConeSides& sides,
-                    const Execution& execution) {
-  require_options("compute_poles", CoconeOptions{cosine});
+DualAndPoles dual_and_poles(const Triangulation& triangulation, double cosine,
+                            const Execution& execution) {
+  require_options("dual_and_poles", CoconeOptions{cosine});
   report_progress(execution, "compute_poles", 0);
-  sides = {cosine, {}};
-  dual = {};
+  DualAndPoles all{{}, {}, {cosine, {}}};
   std::vector<HardCenters> hard(triangulation.num_finite_cells() / cells_per_chunk + 1);
   FarthestCells farthest =
-      find_farthest(triangulation, dual, execution,
+      find_farthest(triangulation, all.dual, execution,
                     [&](CellId first, std::size_t count, CellBlock& block, const ReadSoon& soon) {
                       load_new_run(triangulation, first, count, block,
                                    hard[first.index() / cells_per_chunk], soon);
                     });
-  dual = lean_dual(triangulation, hard, execution);
-  return finish_poles(triangulation, dual, std::move(farthest), &sides, execution);
+  all.dual = lean_dual(triangulation, hard, execution);
+  all.poles = finish_poles(triangulation, all.dual, std::move(farthest), &all.sides, execution);
+  return all;
 }
 
 }  // namespace cocoon

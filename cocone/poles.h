@@ -43,14 +43,25 @@ struct Poles {
 Poles compute_poles(const Triangulation& triangulation, const Dual& dual,
                     const Execution& execution = {});
 
+struct PolesAndSides {
+  Poles poles;
+  ConeSides sides;
+};
+
 // The same, and the sides of all Voronoi vertices to the double cones of this cosine about the
 // normals, which the cocones are read off (cocones.h): the second pass has them at hand. Errors:
 // the cosine is to be that of CoconeOptions.
-Poles compute_poles(const Triangulation& triangulation, const Dual& dual, double cosine,
-                    ConeSides& sides, const Execution& execution = {});
+PolesAndSides poles_and_sides(const Triangulation& triangulation, const Dual& dual, double cosine,
+                              const Execution& execution = {});
 
-// Both of a triangulation whose dual is not known yet: the first pass makes a lean one on its way.
-Poles compute_poles(const Triangulation& triangulation, double cosine, Dual& dual, ConeSides& sides,
-                    const Execution& execution = {});
+struct DualAndPoles {
+  Dual dual;  // lean
+  Poles poles;
+  ConeSides sides;
+};
+
+// The same of a triangulation whose dual is not known yet: the first pass makes it on its way.
+DualAndPoles dual_and_poles(const Triangulation& triangulation, double cosine,
+                            const Execution& execution = {});
 
 }  // namespace cocoon

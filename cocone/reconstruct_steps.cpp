@@ -18,7 +18,7 @@
 #include "cocone/peel_cells.h"
 #include "cocone/prune_sharp_edges.h"
 #include "delaunay/delaunay.h"
-#include "delaunay/first_cells.h"
+#include "delaunay/require_points.h"
 #include "geom/errors.h"
 #include "geom/messages/require_size.h"
 #include "geom/parallel/parallel_reduce.h"
@@ -73,7 +73,10 @@ void ReconstructSteps::refer_to(const Triangulation& triangulation) {
 
 void ReconstructSteps::find_poles() {
   run_step(execution_, "poles", [&](const Execution& nested) {
-    poles_ = compute_poles(*triangulation_, options_.cocone.cosine, dual_, sides_, nested);
+    DualAndPoles found = dual_and_poles(*triangulation_, options_.cocone.cosine, nested);
+    dual_ = std::move(found.dual);
+    poles_ = std::move(found.poles);
+    sides_ = std::move(found.sides);
   });
   ReconstructCounters& counters = result_.counters;
   counters.exact_centers = dual_.exact_centers;

@@ -5,10 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "delaunay/cavity.h"
-#include "delaunay/cell_pool.h"
-#include "delaunay/first_cells.h"
-#include "delaunay/parallel_insertion.h"
+#include "delaunay/kernel/cavity.h"
+#include "delaunay/kernel/cell_pool.h"
+#include "delaunay/kernel/first_cells.h"
+#include "delaunay/kernel/parallel_insertion.h"
+#include "delaunay/require_points.h"
 #include "geom/arrays/large_pages.h"
 #include "geom/spatial_order.h"
 #include "geom/working_scale.h"

@@ -41,7 +41,7 @@ struct DelaunayResult {
 // every order of the input; so are the cells of a build on one thread. With more threads their
 // numbers depend on how the threads meet, and so do the counters: canonical_order numbers the cells
 // by the point set alone whatever the history. Fewer than 3 000 different points are inserted on
-// one thread (delaunay/parallel_insertion.h says how many do it). Progress is reported as
+// one thread (delaunay/kernel/parallel_insertion.h says how many do it). Progress is reported as
 // "delaunay".
 // Errors: InputError if a coordinate is not finite (names the first such point), if there are more
 // points than 32-bit ids can number (2^32 - 3), or if there would be more than 2^30 - 1 cells (some

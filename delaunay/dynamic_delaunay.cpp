@@ -9,11 +9,12 @@
 #include <string>
 #include <utility>
 
-#include "delaunay/cavity.h"
-#include "delaunay/cell_pool.h"
 #include "delaunay/circulate.h"
-#include "delaunay/first_cells.h"
-#include "delaunay/insertion_order.h"
+#include "delaunay/kernel/cavity.h"
+#include "delaunay/kernel/cell_pool.h"
+#include "delaunay/kernel/first_cells.h"
+#include "delaunay/kernel/insertion_order.h"
+#include "delaunay/require_points.h"
 #include "geom/arrays/room_to_grow.h"
 #include "geom/arrays/sort_ids.h"
 #include "geom/errors.h"

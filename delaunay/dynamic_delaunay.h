@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "delaunay/delaunay.h"
-#include "delaunay/removal.h"
+#include "delaunay/kernel/removal.h"
 #include "delaunay/renumbering.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/triangulation_view.h"

@@ -5,10 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "delaunay/cell_pool.h"
 #include "geom/ids.h"
 
 namespace cocoon {
+
+// Two places whose records have changed places: `b` held a live cell, `a` any.
+struct CellExchange {
+  CellId a, b;
+};
 
 // Whoever keeps arrays by slot follows: elements of cells change places, one exchange after the
 // other, those of vertices move, each to a slot that was not in use; then the arrays end with the

@@ -46,6 +46,8 @@ constexpr FacetId facet_id(CellId cell, int i) {
 }
 constexpr CellId cell_of(FacetId facet) { return CellId(facet.value >> 2); }
 constexpr int index_of(FacetId facet) { return static_cast<int>(facet.value & 3U); }
+// So cells have 30 bits; the last number stands for none.
+inline constexpr std::size_t max_cells = (std::size_t{1} << 30) - 1;
 
 // Vertices of facet i of a positively oriented cell, such that the normal
 // (p1 - p0) x (p2 - p0) points out of the cell (away from vertex i).

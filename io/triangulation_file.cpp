@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "delaunay/cell_pool.h"
 #include "delaunay/check_delaunay.h"
 #include "geom/arrays/large_pages.h"
 #include "geom/arrays/room_to_grow.h"

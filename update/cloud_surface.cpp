@@ -33,9 +33,7 @@ Foundation lay_foundation(Points cloud, const ReconstructOptions& options,
   const std::vector<Point> off_plane = moved_off_plane(cloud);
   const Points points = off_plane.empty() ? cloud : Points(off_plane);
   Triangulation triangulation = delaunay(points, options.delaunay, execution).triangulation;
-  Dual dual;
-  ConeSides sides;
-  Poles poles = compute_poles(triangulation, options.cocone.cosine, dual, sides, execution);
+  auto [dual, poles, sides] = dual_and_poles(triangulation, options.cocone.cosine, execution);
   Cocones cocones = intersect_cocones(triangulation, std::move(sides), execution);
   return {std::move(triangulation), std::move(dual), std::move(poles), std::move(cocones),
           !off_plane.empty()};

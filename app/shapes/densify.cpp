@@ -5,8 +5,8 @@
 
 #include "app/files/files.h"
 #include "app/files/model_file.h"
-#include "cocone/conforming_samples.h"
-#include "cocone/labels_of_solid.h"
+#include "cocone/solid/conforming_samples.h"
+#include "cocone/solid/labels_of_solid.h"
 #include "cocone/reconstruct.h"
 #include "geom/errors.h"
 #include "geom/mesh/dense_samples.h"

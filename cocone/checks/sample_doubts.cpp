@@ -29,9 +29,7 @@ void find_sparse(const Triangulation& triangulation, const IdVector<VertexId, do
 void find_ratios(const Triangulation& triangulation, const IdVector<VertexId, double>& spacing,
                  const ReconstructOptions& options, const Execution& execution,
                  SampleDoubts& doubts) {
-  Dual dual;
-  ConeSides sides;
-  const Poles poles = compute_poles(triangulation, options.cocone.cosine, dual, sides, execution);
+  auto [dual, poles, sides] = dual_and_poles(triangulation, options.cocone.cosine, execution);
   const Cocones cocones = intersect_cocones(triangulation, std::move(sides), execution);
   const IdVector<VertexId, double> radii =
       cocone_radii(triangulation, dual, poles, cocones, options.boundary.radius_mode, execution);

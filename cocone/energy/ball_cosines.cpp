@@ -7,6 +7,7 @@
 #include "cocone/energy/facet_cosines.h"
 #include "cocone/facets/cell_order.h"
 #include "cocone/facets/facet_normal.h"
+#include "delaunay/voronoi/cell_blocks.h"
 #include "delaunay/voronoi_dual.h"
 
 namespace cocoon {

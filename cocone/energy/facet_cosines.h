@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "delaunay/voronoi_dual.h"
+#include "delaunay/voronoi/cell_blocks.h"
 
 namespace cocoon {
 

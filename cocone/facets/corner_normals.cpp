@@ -12,7 +12,7 @@
 // clang-format off: must come after foreach_target.h
 #include <hwy/highway.h>
 
-#include "delaunay/gather-inl.h"
+#include "geom/lanes/gather-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();

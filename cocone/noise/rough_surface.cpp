@@ -15,9 +15,9 @@ namespace cocoon {
 RoughSurface::RoughSurface(const Triangulation& triangulation, const Dual& dual,
                            const ReconstructOptions& options, const Execution& execution)
     : triangulation_(triangulation), options_(options) {
-  ConeSides sides;
-  poles_ = compute_poles(triangulation, dual, options.cocone.cosine, sides, execution);
-  const Cocones cocones = intersect_cocones(triangulation, std::move(sides), execution);
+  PolesAndSides found = poles_and_sides(triangulation, dual, options.cocone.cosine, execution);
+  poles_ = std::move(found.poles);
+  const Cocones cocones = intersect_cocones(triangulation, std::move(found.sides), execution);
   labels_ = boundary_samples(triangulation, dual, poles_, cocones, options.boundary, execution);
   good_.good = VertexSet(triangulation.num_vertices(), 0);
   if (labels_.interior() == 0) return;

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "delaunay/triangulation.h"
-#include "delaunay/voronoi_dual.h"
+#include "delaunay/voronoi/cell_blocks.h"
 #include "geom/id_vector.h"
 #include "geom/point.h"
 

@@ -13,7 +13,7 @@
 // clang-format off: must come after foreach_target.h
 #include <hwy/highway.h>
 
-#include "delaunay/gather-inl.h"
+#include "geom/lanes/gather-inl.h"
 // clang-format on
 
 #ifndef COCOON_JUDGED_FACETS

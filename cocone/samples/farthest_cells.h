@@ -10,6 +10,7 @@
 #include "cocone/samples/cell_arms.h"
 #include "cocone/samples/double_cone.h"
 #include "delaunay/triangulation.h"
+#include "delaunay/voronoi/cell_blocks.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"

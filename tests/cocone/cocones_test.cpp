@@ -177,8 +177,7 @@ TEST(Cocones, TangentPlaneRadiusIsTheConeOpenedByZero) {
 
 TEST(Cocones, SidesFoundWithThePolesAreThoseFoundAlone) {
   const Stages s(shapes::random_torus(5000, 0.4, 12));
-  ConeSides sides;
-  const Poles poles = compute_poles(s.triangulation, s.dual, cosine, sides, {.threads = 3});
+  const auto [poles, sides] = poles_and_sides(s.triangulation, s.dual, cosine, {.threads = 3});
   EXPECT_EQ(poles.normals, s.poles.normals);
   EXPECT_EQ(poles.heights, s.poles.heights);
   EXPECT_EQ(sides.of_cells, cone_sides(s.triangulation, s.dual, poles.normals, cosine).of_cells);

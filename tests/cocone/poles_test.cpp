@@ -106,9 +106,7 @@ TEST(Poles, SameWithALeanDual) {
   for (const std::vector<Point>& points : sets) {
     const Stages s(points);
     for (const int threads : {1, 3}) {
-      Dual lean;
-      ConeSides sides;
-      const Poles poles = compute_poles(s.triangulation, 0.4, lean, sides, {.threads = threads});
+      const auto [lean, poles, sides] = dual_and_poles(s.triangulation, 0.4, {.threads = threads});
       EXPECT_TRUE(lean.is_lean());
       EXPECT_EQ(lean.exact_centers, s.dual.exact_centers);
       EXPECT_EQ(lean.facet_fallbacks, s.dual.facet_fallbacks);

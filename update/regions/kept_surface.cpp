@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "cocone/labels_of_solid.h"
+#include "cocone/solid/labels_of_solid.h"
 #include "geom/arrays/sort_ids.h"
 #include "geom/working_scale.h"
 

@@ -182,10 +182,9 @@ TEST(StageInputs, OptionsOutOfRangeAreRefused) {
   const Triangulation& t = s.triangulation;
   for (const double cosine : {-0.5, 67.5, nan}) {
     EXPECT_THROW(intersect_cocones(t, s.dual, s.poles, {.cosine = cosine}), InputError);
-    Dual dual;
+    EXPECT_THROW(poles_and_sides(t, s.dual, cosine), InputError);
+    EXPECT_THROW(dual_and_poles(t, cosine), InputError);
     ConeSides sides = s.sides();
-    EXPECT_THROW(compute_poles(t, s.dual, cosine, sides), InputError);
-    EXPECT_THROW(compute_poles(t, cosine, dual, sides), InputError);
     sides.cosine = cosine;
     EXPECT_THROW(intersect_cocones(t, sides), InputError);
   }

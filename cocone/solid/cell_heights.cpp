@@ -1,0 +1,101 @@
+#include "cocone/solid/cell_heights.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "cocone/facets/cell_order.h"
+#include "geom/signed_distance.h"
+
+namespace cocoon {
+namespace {
+
+Point centroid(const Triangulation& triangulation, CellId c) {
+  const auto [p0, p1, p2, p3] = sorted_corners(triangulation, c);
+  return 0.25 * ((p0 + p1) + (p2 + p3));
+}
+
+// Both ends, in one word.
+using Edge = std::uint64_t;
+VertexId from(Edge edge) { return VertexId(static_cast<std::uint32_t>(edge >> 32)); }
+VertexId to(Edge edge) { return VertexId(static_cast<std::uint32_t>(edge)); }
+
+// In the order of their ends as points: of two that reach equally far the first one counts.
+std::array<Edge, 6> edges_of(const Triangulation& triangulation, CellId c) {
+  std::array<VertexId, 4> corners = triangulation.cell(c).vertices;
+  std::sort(corners.begin(), corners.end(), [&](VertexId a, VertexId b) {
+    return triangulation.point(a) < triangulation.point(b);
+  });
+  std::array<Edge, 6> edges;
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < 4; ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      edges[count++] = Edge{corners[k].value} << 32 | corners[i].value;
+    }
+  }
+  return edges;
+}
+
+// Each once, in increasing order of these words.
+std::vector<Edge> edges_of(const Triangulation& triangulation, std::span<const CellId> cells) {
+  std::vector<Edge> edges;
+  edges.reserve(6 * cells.size());
+  for (const CellId c : cells) {
+    const std::array<Edge, 6> of_cell = edges_of(triangulation, c);
+    edges.insert(edges.end(), of_cell.begin(), of_cell.end());
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+Point middle_of(const Triangulation& triangulation, Edge edge) {
+  return 0.5 * (triangulation.point(from(edge)) + triangulation.point(to(edge)));
+}
+
+double length_of(const Triangulation& triangulation, Edge edge) {
+  return distance(triangulation.point(from(edge)), triangulation.point(to(edge)));
+}
+
+void take_in(double height, const Point& place, CellHeights& heights) {
+  if (height < heights.lowest) {
+    heights.lowest = height;
+    heights.at_lowest = place;
+  }
+  if (height > heights.highest) {
+    heights.highest = height;
+    heights.at_highest = place;
+  }
+}
+
+}  // namespace
+
+std::vector<CellHeights> cell_heights(const Triangulation& triangulation,
+                                      std::span<const CellId> cells, const TriangleMesh& solid,
+                                      CellPlaces places, const Execution& execution) {
+  // An edge belongs to five cells in the mean: its middle is asked about once.
+  const bool with_edges = places == CellPlaces::centroid_and_edges;
+  const std::vector<Edge> edges = with_edges ? edges_of(triangulation, cells) : std::vector<Edge>();
+  std::vector<Point> points;
+  points.reserve(cells.size() + edges.size());
+  for (const CellId c : cells) points.push_back(centroid(triangulation, c));
+  for (const Edge edge : edges) points.push_back(middle_of(triangulation, edge));
+  const std::vector<double> distances = signed_distances(solid, points, execution);
+
+  std::vector<CellHeights> heights(cells.size());
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    CellHeights& cell = heights[k];
+    cell.at_lowest = cell.at_highest = points[k];
+    take_in(distances[k], points[k], cell);
+    for (const Edge edge : edges_of(triangulation, cells[k])) {
+      cell.longest_edge = std::max(cell.longest_edge, length_of(triangulation, edge));
+      if (!with_edges) continue;
+      const auto found = std::lower_bound(edges.begin(), edges.end(), edge);
+      const std::size_t place = cells.size() + static_cast<std::size_t>(found - edges.begin());
+      take_in(distances[place], points[place], cell);
+    }
+  }
+  return heights;
+}
+
+}  // namespace cocoon

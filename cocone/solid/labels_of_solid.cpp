@@ -1,0 +1,58 @@
+#include "cocone/solid/labels_of_solid.h"
+
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "cocone/solid/cell_heights.h"
+#include "geom/mesh_check.h"
+#include "geom/messages/require_number.h"
+#include "geom/messages/require_size.h"
+#include "geom/working_scale.h"
+
+namespace cocoon {
+
+KnownLabels labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+                            const LabelsOfSolidOptions& options, const Execution& execution) {
+  std::vector<CellId> cells;
+  cells.reserve(triangulation.num_finite_cells());
+  for (const CellId c : triangulation.finite_cells()) cells.push_back(c);
+  KnownLabels known;
+  add_labels_of_solid(triangulation, solid, cells, known, options, execution);
+  return known;
+}
+
+void add_labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+                         std::span<const CellId> cells, KnownLabels& known,
+                         const LabelsOfSolidOptions& options, const Execution& execution) {
+  if (!known.labels.empty()) {
+    require_size("add_labels_of_solid", "known labels of cells", known.labels.size(),
+                 triangulation.num_cells());
+  }
+  require_amounts("add_labels_of_solid", {{"min_depth", options.min_depth}});
+  if (!mesh_check(solid).balanced) return;
+  const std::vector<CellHeights> heights =
+      cell_heights(triangulation, cells, solid, options.places, execution);
+  known.labels.resize(triangulation.num_cells(), CellLabel::unmarked);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double height = heights[i].deepest();
+    if (!(std::abs(height) > options.min_depth * heights[i].longest_edge)) continue;
+    known.labels[cells[i]] = height > 0 ? CellLabel::out : CellLabel::in;
+    ++known.cells;
+  }
+}
+
+KnownLabelsSource labels_told_by(TriangleMesh solid, Points samples,
+                                 const LabelsOfSolidOptions& options) {
+  if (const double scale = working_scale(samples); scale != 1) {
+    solid = scaled(std::move(solid), scale);
+  }
+  const auto kept = std::make_shared<const TriangleMesh>(std::move(solid));
+  return [kept, options](const Triangulation& triangulation, const FacetSet&,
+                         const Execution& execution) {
+    return labels_of_solid(triangulation, *kept, options, execution);
+  };
+}
+
+}  // namespace cocoon
