@@ -55,30 +55,30 @@ void SummedFile::commit(FileBatch* batch) {
 namespace {
 
 FileError wrong_magic(const std::filesystem::path& path, std::string_view magic,
-                      std::string_view kind) {
-  return file_error(
-      path, "this is no " + std::string(kind) + ": it does not begin with " + std::string(magic));
+                      std::string_view kind, std::string_view remedy) {
+  return file_error(path, "this is no " + std::string(kind) + ": it does not begin with " +
+                              std::string(magic) + "; check the name, or " + std::string(remedy));
 }
 
 void require_whole_words(const std::filesystem::path& path, std::size_t size,
-                         std::string_view magic) {
+                         std::string_view magic, std::string_view remedy) {
   if (size % 8 == 0 && size >= magic.size() + checksum_size) return;
   throw file_error(path, "the file has " + std::to_string(size) +
-                             " bytes, which is no whole number of words: it was cut off; write it "
-                             "again");
+                             " bytes, which is no whole number of words: it was cut off; " +
+                             std::string(remedy));
 }
 
 }  // namespace
 
 SummedReader::SummedReader(const std::filesystem::path& path, std::string_view magic,
-                           std::string_view kind)
-    : file_(path) {
+                           std::string_view kind, std::string_view remedy)
+    : file_(path), remedy_(remedy) {
   if (!file_.size()) whole_ = read_file(path);
   const std::size_t size = whole_ ? whole_->size : *file_.size();
-  if (size < magic.size()) throw wrong_magic(path, magic, kind);
+  if (size < magic.size()) throw wrong_magic(path, magic, kind, remedy);
   left_ = size;
-  if (take(magic.size()) != magic) throw wrong_magic(path, magic, kind);
-  require_whole_words(path, size, magic);
+  if (take(magic.size()) != magic) throw wrong_magic(path, magic, kind, remedy);
+  require_whole_words(path, size, magic, remedy);
   left_ -= checksum_size;
 }
 
@@ -104,7 +104,7 @@ void SummedReader::read_unsummed(char* to, std::size_t size) {
     std::copy_n(whole_->data.get() + at_, size, to);
     at_ += size;
   } else if (file_.read(to, size) < size) {
-    throw file_error(file_.path(), "the file became shorter while it was read; write it again");
+    throw file_error(file_.path(), "the file became shorter while it was read; " + remedy_);
   }
 }
 
@@ -115,7 +115,7 @@ void SummedReader::finish() {
   read_unsummed(sum.data(), sum.size());
   if (checksum_.value() != load_number<std::uint64_t>(sum.data(), std::endian::little)) {
     throw file_error(file_.path(),
-                     "the checksum is wrong: the file was cut off or damaged; write it again");
+                     "the checksum is wrong: the file was cut off or damaged; " + remedy_);
   }
 }
 

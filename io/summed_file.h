@@ -92,8 +92,10 @@ class SummedFile {
 class SummedReader {
  public:
   // Throws FileError, with `kind` ("session file") in its message, for a file that cannot be read,
-  // does not begin with `magic`, or is not made of whole words.
-  SummedReader(const std::filesystem::path& path, std::string_view magic, std::string_view kind);
+  // does not begin with `magic`, or is not made of whole words. `remedy`: what to do about a file
+  // that is damaged ("write it again").
+  SummedReader(const std::filesystem::path& path, std::string_view magic, std::string_view kind,
+               std::string_view remedy);
 
   const std::filesystem::path& path() const { return file_.path(); }
   // Bytes that are left before the checksum.
@@ -127,6 +129,7 @@ class SummedReader {
   void read_unsummed(char* to, std::size_t size);
 
   InputFile file_;
+  std::string remedy_;
   std::optional<FileBytes> whole_;  // of what is no regular file
   std::size_t at_ = 0;              // in it
   std::size_t left_ = 0;

@@ -234,7 +234,7 @@ Triangulation load_triangulation(const std::filesystem::path& path,
                                  const LoadTriangulationOptions& options,
                                  const Execution& execution) {
   report_progress(execution, "load_triangulation", 0);
-  SummedReader file(path, magic, "triangulation file");
+  SummedReader file(path, magic, "triangulation file", "write it again");
   UncheckedTriangulation unchecked = read_rest(file, magic.size() + file.left());
   file.finish();
   Triangulation triangulation = checked_triangulation(path, std::move(unchecked), execution);

@@ -1,5 +1,6 @@
 #include "app/files/pending_clouds.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <string_view>
@@ -58,12 +59,48 @@ std::string pending_cloud_prefix(const std::string& session) {
   return follow_links(session).string() + ".cloud-";
 }
 
+// All that lie beside the session, whatever K.
+std::vector<fs::path> pending_cloud_files(const std::string& session) {
+  const fs::path path = pending_cloud_prefix(session);
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    const fs::path file = path.parent_path() / entry->path().filename();
+    if (is_pending_cloud_file(file, session)) found.push_back(file);
+  }
+  if (error) {
+    throw file_error(folder, "cannot be listed (" + error.message() + "); check the folder");
+  }
+  return found;
+}
+
+// Clouds are applied one after the other: where one is missing, those that came after it mean
+// nothing. `notes`: how many there are with all that precede it.
+void require_none_behind(const std::string& session, std::size_t notes) {
+  const std::string missing = pending_cloud_file(session, notes);
+  for (const fs::path& file : pending_cloud_files(session)) {
+    std::string number = file.string().substr(pending_cloud_prefix(session).size());
+    number.erase(0, std::min(number.find_first_not_of('0'), number.size()));
+    const std::string last = std::to_string(notes);
+    const bool is_behind =
+        number.size() != last.size() ? number.size() > last.size() : number > last;
+    if (!is_behind) continue;
+    throw file_error(missing, "is missing, but " + file.string() +
+                                  " follows it; put it there again, or remove all behind it and "
+                                  "put their clouds into the folder again");
+  }
+}
+
 PendingUpdate load_update(const fs::path& path, std::span<const std::string> notes) {
-  SummedReader file(path, magic, "cloud of a session");
+  constexpr const char* remedy =
+      "put a copy of it there, or remove it and those with higher numbers, and put their clouds "
+      "into the folder again";
+  SummedReader file(path, magic, "cloud of a session", remedy);
   const auto damaged = [&] {
     return file_error(path,
-                      "the numbers in the header do not fit the file; remove it, and put its "
-                      "cloud into the folder again");
+                      std::string("the numbers in the header do not fit the file; ") + remedy);
   };
   if (magic.size() + file.left() < least_header) throw damaged();
   const auto found = file.next<std::uint32_t>();
@@ -143,7 +180,10 @@ std::vector<PendingUpdate> load_pending_clouds(const std::string& session,
   std::vector<PendingUpdate> updates;
   for (;;) {
     const fs::path path = pending_cloud_file(session, before.size());
-    if (!fs::exists(path)) return updates;
+    if (!fs::exists(path)) {
+      require_none_behind(session, before.size());
+      return updates;
+    }
     updates.push_back(load_update(path, before));
     const std::vector<std::string>& more = updates.back().notes;
     before.insert(before.end(), more.begin(), more.end());
@@ -151,18 +191,8 @@ std::vector<PendingUpdate> load_pending_clouds(const std::string& session,
 }
 
 void remove_pending_clouds(const std::string& session) {
-  const fs::path path = pending_cloud_prefix(session);
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::error_code error;
-  std::vector<fs::path> found;
-  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
-       entry.increment(error)) {
-    const fs::path file = path.parent_path() / entry->path().filename();
-    if (is_pending_cloud_file(file, session)) found.push_back(file);
-  }
-  if (error)
-    throw file_error(folder, "cannot be listed (" + error.message() + "); check the folder");
-  for (const fs::path& file : found) {
+  for (const fs::path& file : pending_cloud_files(session)) {
     if (!fs::remove(file, error) && error) {
       throw file_error(file, "cannot be removed (" + error.message() + "); check the folder");
     }

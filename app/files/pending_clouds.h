@@ -53,8 +53,8 @@ bool is_pending_cloud_file(const std::filesystem::path& path, const std::string&
 void save_pending_clouds(const std::string& session, std::span<const std::string> notes,
                          const PendingUpdate& update, FileBatch& batch);
 
-// Those that follow the notes, in order. Errors: FileError, one line, if one is damaged or follows
-// other notes.
+// Those that follow the notes, in order. Errors: FileError, one line, if one is damaged, follows
+// other notes, or is missing while later ones are there.
 std::vector<PendingUpdate> load_pending_clouds(const std::string& session,
                                                std::span<const std::string> notes);
 

@@ -220,7 +220,7 @@ void save_session(const std::string& path, const SavedSession& session, FileBatc
 }
 
 SavedSession load_session(const std::string& path, const Execution& execution) {
-  SummedReader file(path, magic, "session file");
+  SummedReader file(path, magic, "session file", "make the session again");
   const Header header = read_header(file);
   SavedSession session;
   session.parameters = parameters_of(header);

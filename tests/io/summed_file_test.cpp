@@ -41,7 +41,7 @@ TEST(SummedFile, ComesBackAsItWasWritten) {
     file.append(std::uint64_t{11});
     file.commit();
 
-    SummedReader reader(folder / "a", magic, "file");
+    SummedReader reader(folder / "a", magic, "file", "write it again");
     EXPECT_EQ(reader.left(), 8 + 8 * size + round_up_to_8(size) + 8);
     EXPECT_EQ(reader.next<std::uint32_t>(), 7U);
     EXPECT_EQ(reader.next<std::uint32_t>(), 9U);
@@ -68,7 +68,7 @@ TEST(SummedFile, DamageIsSeenWhateverWasRead) {
   const auto finish_behind = [&](const std::string& content, std::size_t read) {
     const auto path = folder.write("b", content);
     return message_of<FileError>(path, [&] {
-      SummedReader reader(path, magic, "file");
+      SummedReader reader(path, magic, "file", "write it again");
       reader.take(read);
       reader.finish();
     });
@@ -89,7 +89,9 @@ TEST(SummedFile, DamageIsSeenWhateverWasRead) {
             "again");
   std::string other = whole;
   other[0] = 'T';
-  EXPECT_EQ(finish_behind(other, 0), ": this is no file: it does not begin with SUMMEDUP");
+  EXPECT_EQ(
+      finish_behind(other, 0),
+      ": this is no file: it does not begin with SUMMEDUP; check the name, or write it again");
 }
 
 // Whatever pieces the bytes come in; and words may not change places unseen.

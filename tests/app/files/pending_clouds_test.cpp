@@ -77,6 +77,33 @@ TEST(PendingClouds, ReadBackInOrder) {
   EXPECT_TRUE(std::filesystem::exists(pending_cloud_file((folder / "s").string(), 4)));
 }
 
+// What came after it cannot be applied without it, and is nothing to be removed silently.
+TEST(PendingClouds, AMissingOneIsNamed) {
+  const TemporaryFolder folder;
+  const std::string session = save(folder, {refused, together, applied});  // 1, 2 and 4
+  for (const std::size_t missing : {1, 2}) {
+    const std::string file = pending_cloud_file(session, missing);
+    const std::string bytes(read_file(file).view());
+    std::filesystem::remove(file);
+    try {
+      load_pending_clouds(session, notes);
+      ADD_FAILURE() << missing;
+    } catch (const FileError& error) {
+      EXPECT_EQ(std::string(error.what()).find(file + ": is missing, but "), 0U) << error.what();
+    }
+    folder.write(std::filesystem::path(file).filename().string(), bytes);
+  }
+  EXPECT_EQ(load_pending_clouds(session, notes).size(), 3U);
+  // Those before are in the session already.
+  const std::vector<std::string> more = {"model", "two", "three", "and four"};
+  EXPECT_EQ(load_pending_clouds(session, more).size(), 1U);
+  const std::vector<std::string> all = {"model", "two", "three", "and four", "one"};
+  EXPECT_EQ(load_pending_clouds(session, all).size(), 0U);
+  // By numbers, not by letters.
+  std::vector<std::string> many(10, "note");
+  EXPECT_EQ(load_pending_clouds(session, many).size(), 0U);
+}
+
 // These had no number of clouds.
 TEST(PendingClouds, VersionsBeforeAreReadAndOthersRefused) {
   const TemporaryFolder folder;
