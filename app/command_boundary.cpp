@@ -7,11 +7,13 @@
 #include "app/commands.h"
 #include "app/files/carried_properties.h"
 #include "app/files/files.h"
+#include "app/report/findings.h"
 #include "app/report/reconstruct_report.h"
 #include "app/report/surface_report.h"
 #include "app/shapes/open_surface.h"
 #include "app/shapes/thin_cloud.h"
 #include "cocone/boundary_loops.h"
+#include "cocone/checks/surface_doubts.h"
 #include "cocone/literal_boundary.h"
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
@@ -62,6 +64,27 @@ void add_boundary_samples(const ReconstructResult& surface, VertexProperties& pr
   properties.columns.push_back(property_of(name, surface.boundary_sample.span()));
 }
 
+void say_summary(Job& job, const ReconstructResult& surface, const MeshReport& certificate,
+                 const BoundaryLoops& boundary, const std::string& mesh) {
+  job.say("{} points ({} duplicates, {} not on the surface)", surface.points, surface.duplicates,
+          surface.unused_points);
+  job.say_outputs("{} -> {}", surface_summary(certificate), mesh);
+  job.say("{}, {} ({})", counted(surface.counters.boundary_samples, "boundary sample"),
+          counted(boundary.loops.size(), "loop"), counted(boundary.pin_holes, "pin-hole"));
+  for (const BoundaryLoop& loop : boundary.loops) {
+    job.say("  {} edges, length {:.6g}{}", loop.edges.size(), loop.perimeter,
+            loop.pin_hole ? " (pin-hole)" : "");
+  }
+}
+
+// That an open surface has boundary samples and edges is no finding.
+void tell_unused(Job& job, const SurfaceDoubts& doubts, std::size_t points) {
+  std::vector<Finding> findings =
+      findings_of(doubts, points, NoiseFilter::no_option, {}, {.cavities = false});
+  std::erase_if(findings, [](const Finding& f) { return f.kind != "unused"; });
+  report_findings(job, findings);
+}
+
 // As an update would take them out.
 void tell_bridges(Job& job, const TriangleMesh& surface) {
   const TrimOptions options;
@@ -89,21 +112,25 @@ void run(const BoundaryArguments& arguments, Job& job) {
   VertexProperties properties;
   const bool keep = holds_properties(arguments.mesh);
   VertexProperties* const carried = keep ? &properties : nullptr;
-  std::vector<Point> points = read_cloud(job, arguments.points, "input", carried);
+  std::size_t faces = 0;
+  std::vector<Point> points = read_cloud(job, arguments.points, "input", carried, &faces);
+  require_replaceable(arguments.mesh, arguments.points, faces);
   add_thinning(job.report(), arguments.thin,
                thin_input(job, arguments.points, arguments.thin, points, carried));
   ReconstructResult surface = naming_input(
       arguments.points, [&] { return reconstruct_cocone(points, options, job.execution()); });
   require_surface(job, arguments.points, surface, points, options);
   if (arguments.trim) {
-    open_surface(job, *arguments.trim, surface);
+    open_surface(job, arguments.points, *arguments.trim, surface);
   } else {
     tell_bridges(job, surface.mesh);
   }
   const BoundaryLoops boundary =
       timed(job.execution(), "loops", [&] { return boundary_loops(surface.mesh, stages.loops); });
-  const MeshReport certificate = timed(
-      job.execution(), "check", [&] { return mesh_check(surface.mesh, {}, job.execution()); });
+  const SurfaceDoubts doubts = timed(job.execution(), "check", [&] {
+    return surface_doubts(surface, points, {.place_handles = false}, job.execution());
+  });
+  const MeshReport& certificate = doubts.certificate;
   properties = properties_of_surface(job, properties, arguments.points, surface);
   if (arguments.label_samples) add_boundary_samples(surface, properties);
   timed(job.execution(), "write", [&] {
@@ -121,13 +148,8 @@ void run(const BoundaryArguments& arguments, Job& job) {
   }
   add_reconstruction(job.report(), surface, certificate);
   add_boundary(job.report(), surface, boundary);
-  job.say_outputs("{} -> {}", surface_summary(certificate), arguments.mesh);
-  job.say("{}, {} ({})", counted(surface.counters.boundary_samples, "boundary sample"),
-          counted(boundary.loops.size(), "loop"), counted(boundary.pin_holes, "pin-hole"));
-  for (const BoundaryLoop& loop : boundary.loops) {
-    job.say("  {} edges, length {:.6g}{}", loop.edges.size(), loop.perimeter,
-            loop.pin_hole ? " (pin-hole)" : "");
-  }
+  say_summary(job, surface, certificate, boundary, arguments.mesh);
+  tell_unused(job, doubts, surface.points - surface.duplicates);
   if (arguments.parameters.mode == Mode::paper && arguments.radius == RadiusMode::tangent_plane) {
     job.warn("--radius tangent-plane does nothing with --mode paper");
   }

@@ -24,7 +24,7 @@ void say_certificate(Job& job, const Certificate& certificate, const MeshMeasure
   say("  without a triangle", c.unused_vertices);
   say("  at the place of another one", c.coincident_vertices);
   say("triangles", c.triangles);
-  say("  naming a vertex twice", c.repeated_vertex_triangles);
+  say("  naming a vertex twice", c.repeated_vertex_triangles + certificate.faces_left_out);
   say("  without area", c.zero_area_triangles);
   say("  duplicates", c.duplicate_triangles);
   say("edges", c.edges);
@@ -43,7 +43,7 @@ void say_certificate(Job& job, const Certificate& certificate, const MeshMeasure
   say("volume", c.balanced ? fmt::format("{}", measure.signed_volume) : std::string("-"));
   say("median edge", measure.edge_lengths.median);
   if (certificate.self_intersections) {
-    say("pairs of triangles that cross", *certificate.self_intersections);
+    say("pairs of triangles that cross", certificate.self_intersections->count);
   }
 }
 
@@ -58,7 +58,8 @@ void add_certificate(JsonReport& report, const Certificate& certificate,
   report.set("surface/vertex_components", c.vertex_components);
   report.set("surface/unused_vertices", c.unused_vertices);
   report.set("surface/coincident_vertices", c.coincident_vertices);
-  report.set("surface/repeated_vertex_triangles", c.repeated_vertex_triangles);
+  report.set("surface/repeated_vertex_triangles",
+             c.repeated_vertex_triangles + certificate.faces_left_out);
   report.set("surface/zero_area_triangles", c.zero_area_triangles);
   report.set("surface/duplicate_triangles", c.duplicate_triangles);
   report.set("surface/area", measure.area);
@@ -67,7 +68,7 @@ void add_certificate(JsonReport& report, const Certificate& certificate,
   report.set("surface/edge_length/median", measure.edge_lengths.median);
   report.set("surface/edge_length/max", measure.edge_lengths.max);
   if (certificate.self_intersections) {
-    report.set("surface/self_intersections", *certificate.self_intersections);
+    report.set("surface/self_intersections", certificate.self_intersections->count);
   }
 }
 
@@ -95,20 +96,23 @@ void tell_handles(Job& job, const TriangleMesh& mesh, const MeshReport& report, 
 
 void run(const CheckArguments& arguments, Job& job) {
   require_outputs(job, {}, {arguments.mesh});
-  const TriangleMesh mesh = read_shape(job, arguments.mesh, "input");
+  const Shape shape = read_shape(job, arguments.mesh, "input");
+  const TriangleMesh& mesh = shape.mesh;
   if (mesh.triangles.empty()) {
     throw InputError(arguments.mesh + ": holds no triangles; a mesh is needed");
   }
   Certificate certificate;
+  certificate.faces_left_out = shape.read.left_out();
   MeshMeasure measure;
   timed(job.execution(), "check", [&] {
     certificate.report = mesh_check(mesh, {}, job.execution());
     measure = mesh_measure(mesh);
   });
   if (arguments.self_intersections || needs_self_intersections(arguments.required)) {
-    certificate.self_intersections = self_intersection(mesh, {}, job.execution()).count;
+    certificate.self_intersections = self_intersection(mesh, {}, job.execution());
   }
-  const std::vector<std::string> failures = failed_requirements(arguments.required, certificate);
+  const std::vector<std::string> failures =
+      failed_requirements(arguments.required, certificate, mesh);
 
   say_certificate(job, certificate, measure);
   add_surface(job.report(), mesh, certificate.report);

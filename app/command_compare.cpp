@@ -4,6 +4,7 @@
 #include "app/files/files.h"
 #include "app/shapes/deviation_map.h"
 #include "geom/errors.h"
+#include "geom/messages/place_name.h"
 #include "geom/surface_distance.h"
 
 namespace cocoon::app {
@@ -22,17 +23,16 @@ void add_distances(JsonReport& report, const std::string& path, const DirectedDi
 }
 
 void say_distances(Job& job, const std::string& name, const DirectedDistance& distance) {
-  const Point& p = distance.farthest;
-  job.say("{:<8} max {:.6g} at ({:.6g}, {:.6g}, {:.6g}), mean {:.6g}, RMS {:.6g}, {} samples", name,
-          distance.max, p.x, p.y, p.z, distance.mean, distance.rms, distance.samples);
+  job.say("{:<8} max {:.6g} at {}, mean {:.6g}, RMS {:.6g}, {} samples", name, distance.max,
+          place_name(distance.farthest), distance.mean, distance.rms, distance.samples);
 }
 
 }  // namespace
 
 void run(const CompareArguments& arguments, Job& job) {
   require_outputs(job, {{arguments.mesh, {".ply"}}}, {arguments.a, arguments.b});
-  const TriangleMesh a = read_shape(job, arguments.a, "input/a");
-  const TriangleMesh b = read_shape(job, arguments.b, "input/b");
+  const TriangleMesh a = read_shape(job, arguments.a, "input/a").mesh;
+  const TriangleMesh b = read_shape(job, arguments.b, "input/b").mesh;
   for (const auto& [name, shape] : {std::pair(&arguments.a, &a), std::pair(&arguments.b, &b)}) {
     if (shape->points.empty())
       throw InputError(*name + ": holds no points; there is nothing to compare");

@@ -113,6 +113,7 @@ DensifiedMesh read_input(Job& job, const ReconstructArguments& arguments,
   if (arguments.densify) return read_densified(job, arguments.points, *arguments.densify);
   DensifiedMesh input;
   input.points = read_cloud(job, arguments.points, "input", properties, &faces);
+  require_replaceable(arguments.mesh, arguments.points, faces);
   add_thinning(job.report(), arguments.thin,
                thin_input(job, arguments.points, arguments.thin, input.points, properties));
   return input;
@@ -191,7 +192,7 @@ void run(const ReconstructArguments& arguments, Job& job) {
   });
   require_surface(job, arguments.points, result, points, options,
                   remedies_of(noise_filter_of(arguments, faces), faces));
-  if (arguments.trim) open_surface(job, *arguments.trim, result);
+  if (arguments.trim) open_surface(job, arguments.points, *arguments.trim, result);
   const SurfaceDoubts doubts = timed(job.execution(), "check", [&] {
     return surface_doubts(result, points, stages.doubts, job.execution());
   });

@@ -1,7 +1,9 @@
+#include <filesystem>
 #include <fmt/format.h>
 
 #include "app/commands.h"
 #include "app/files/files.h"
+#include "geom/messages/counted.h"
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
 #include "io/point_file.h"
@@ -41,6 +43,9 @@ void run(const SampleArguments& arguments, Job& job) {
     write_file(in_folder(folder, "replaced.txt"), replaced, job.outputs());
   });
 
+  for (std::size_t c = model.clouds.size(); std::filesystem::exists(cloud_file(c)); ++c) {
+    job.warn(cloud_file(c) + ": is left from another model; it is no cloud of this one");
+  }
   std::vector<std::size_t> cloud_sizes;
   for (const auto& cloud : model.clouds) cloud_sizes.push_back(cloud.size());
   job.report().set("sample/name", arguments.name);
@@ -56,7 +61,8 @@ void run(const SampleArguments& arguments, Job& job) {
   }
   job.say_outputs("true updated surface: {} triangles -> {}", model.truth.triangles.size(),
                   in_folder(folder, "truth.ply"));
-  job.say_outputs("{} initial points are made wrong by the change -> {}", model.replaced.size(),
+  job.say_outputs("{} made wrong by the change -> {}",
+                  counted(model.replaced.size(), "initial point is", "initial points are"),
                   in_folder(folder, "replaced.txt"));
   job.finish();
 }

@@ -94,6 +94,9 @@ UpdateInput read_input(const UpdateArguments& arguments, const UpdateOptions& op
   };
   input.model_name = arguments.model;
   ModelInput model = read_model_input(job, arguments.model, arguments.densify, properties_of(0));
+  if (!model.dense) {
+    require_replaceable(arguments.mesh, arguments.model, model.mesh.triangles.size());
+  }
   for (const std::string& cloud : arguments.clouds) {
     input.cloud_names.push_back(cloud);
     input.clouds.push_back(

@@ -47,6 +47,9 @@ struct MeshReadReport {
   std::size_t first_surplus_line = 0;
   std::size_t trailing_bytes = 0;    // behind the last element or facet, not read
   std::vector<std::size_t> skipped;  // with skip_non_finite: which points of the file, ascending
+
+  // Faces without area.
+  std::size_t left_out() const { return short_faces + degenerate_triangles; }
 };
 
 }  // namespace cocoon

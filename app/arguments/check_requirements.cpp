@@ -5,6 +5,8 @@
 #include <iterator>
 
 #include "app/command_line.h"
+#include "geom/messages/counted.h"
+#include "geom/messages/place_name.h"
 
 namespace cocoon::app {
 
@@ -14,6 +16,8 @@ struct Requirement {
   const char* word;
   bool (*holds)(const Certificate&);
   std::string (*failure)(const Certificate&);
+  // A vertex where it fails, if that is at a place.
+  VertexId (*where)(const Certificate&, const TriangleMesh&) = nullptr;
 };
 
 // Counts that make a mesh fail, in words, and no others: an edge with four triangles does not leave
@@ -40,41 +44,88 @@ std::string manifold_failure(const Certificate& c) {
 
 std::string bad_triangles_failure(const Certificate& c) {
   return fmt::format("{} triangles with a repeated vertex, {} without area, {} duplicates",
-                     c.report.repeated_vertex_triangles, c.report.zero_area_triangles,
-                     c.report.duplicate_triangles);
+                     c.report.repeated_vertex_triangles + c.faces_left_out,
+                     c.report.zero_area_triangles, c.report.duplicate_triangles);
+}
+
+std::size_t crossing_pairs(const Certificate& c) {
+  return c.self_intersections ? c.self_intersections->count : 0;
+}
+
+VertexId first_of(const std::vector<VertexPair>& edges) {
+  return edges.empty() ? VertexId() : edges.front()[0];
+}
+
+VertexId at_open_edge(const Certificate& c, const TriangleMesh&) {
+  return first_of(c.report.examples.open_edges);
+}
+
+VertexId at_overfull_edge(const Certificate& c, const TriangleMesh&) {
+  return first_of(c.report.examples.overfull_edges);
+}
+
+VertexId at_pinched_vertex(const Certificate& c, const TriangleMesh&) {
+  const std::vector<VertexId>& pinched = c.report.examples.pinched_vertices;
+  return pinched.empty() ? VertexId() : pinched.front();
+}
+
+VertexId at_contact(const Certificate& c, const TriangleMesh& mesh) {
+  return c.report.edge_manifold ? at_pinched_vertex(c, mesh) : at_overfull_edge(c, mesh);
+}
+
+VertexId at_conflict(const Certificate& c, const TriangleMesh&) {
+  return first_of(c.report.examples.orientation_conflicts);
+}
+
+VertexId at_bad_triangle(const Certificate& c, const TriangleMesh& mesh) {
+  const MeshExamples& e = c.report.examples;
+  for (const auto* bad :
+       {&e.repeated_vertex_triangles, &e.zero_area_triangles, &e.duplicate_triangles}) {
+    if (!bad->empty()) return mesh.triangles[bad->front()][0];
+  }
+  return {};
+}
+
+VertexId at_crossing(const Certificate& c, const TriangleMesh& mesh) {
+  if (crossing_pairs(c) == 0) return {};
+  return mesh.triangles[c.self_intersections->pairs.front()[0]][0];
 }
 
 const Requirement requirements[] = {
-    {"closed", [](const Certificate& c) { return c.report.watertight; }, edges_failure},
-    {"watertight", [](const Certificate& c) { return c.report.watertight; }, edges_failure},
+    {"closed", [](const Certificate& c) { return c.report.watertight; }, edges_failure,
+     at_open_edge},
+    {"watertight", [](const Certificate& c) { return c.report.watertight; }, edges_failure,
+     at_open_edge},
     {"manifold",
      [](const Certificate& c) { return c.report.edge_manifold && c.report.vertex_manifold; },
-     manifold_failure},
-    {"edge-manifold", [](const Certificate& c) { return c.report.edge_manifold; },
-     manifold_failure},
+     manifold_failure, at_contact},
+    {"edge-manifold", [](const Certificate& c) { return c.report.edge_manifold; }, manifold_failure,
+     at_overfull_edge},
     {"vertex-manifold", [](const Certificate& c) { return c.report.vertex_manifold; },
-     manifold_failure},
-    {"oriented", [](const Certificate& c) { return c.report.oriented; }, oriented_failure},
+     manifold_failure, at_pinched_vertex},
+    {"oriented", [](const Certificate& c) { return c.report.oriented; }, oriented_failure,
+     at_conflict},
     {"orientable", [](const Certificate& c) { return c.report.orientable; },
      [](const Certificate&) { return std::string("a component is one-sided"); }},
     {"connected", [](const Certificate& c) { return c.report.components == 1; },
      [](const Certificate& c) { return fmt::format("{} components", c.report.components); }},
     {"no-bad-triangles",
      [](const Certificate& c) {
-       return c.report.repeated_vertex_triangles + c.report.zero_area_triangles +
+       return c.report.repeated_vertex_triangles + c.faces_left_out + c.report.zero_area_triangles +
                   c.report.duplicate_triangles ==
               0;
      },
-     bad_triangles_failure},
+     bad_triangles_failure, at_bad_triangle},
     {"no-unused-vertices", [](const Certificate& c) { return c.report.unused_vertices == 0; },
      [](const Certificate& c) {
-       return fmt::format("{} vertices without a triangle", c.report.unused_vertices);
+       return counted(c.report.unused_vertices, "vertex without a triangle",
+                      "vertices without a triangle");
      }},
-    {"no-self-intersections",
-     [](const Certificate& c) { return c.self_intersections.value_or(0) == 0; },
+    {"no-self-intersections", [](const Certificate& c) { return crossing_pairs(c) == 0; },
      [](const Certificate& c) {
-       return fmt::format("{} pairs of triangles cross", c.self_intersections.value_or(0));
-     }},
+       return counted(crossing_pairs(c), "pair of triangles crosses", "pairs of triangles cross");
+     },
+     at_crossing},
 };
 
 const Requirement* find_requirement(const std::string& word) {
@@ -107,14 +158,18 @@ bool needs_self_intersections(const std::vector<std::string>& words) {
 }
 
 std::vector<std::string> failed_requirements(const std::vector<std::string>& words,
-                                             const Certificate& certificate) {
+                                             const Certificate& certificate,
+                                             const TriangleMesh& mesh) {
   std::vector<std::string> failures;
   for (const std::string& word : words) {
     const Requirement* const requirement = find_requirement(word);
     if (requirement == nullptr || requirement->holds(certificate)) continue;
     const bool negative = word.rfind("no-", 0) == 0;
-    failures.push_back(fmt::format("{} {} ({})", negative ? "fails" : "not", word,
-                                   requirement->failure(certificate)));
+    const VertexId at =
+        requirement->where == nullptr ? VertexId() : requirement->where(certificate, mesh);
+    const std::string place = at.is_none() ? "" : ", as near " + place_name(mesh.points[at]);
+    failures.push_back(fmt::format("{} {} ({}{})", negative ? "fails" : "not", word,
+                                   requirement->failure(certificate), place));
   }
   return failures;
 }

@@ -8,13 +8,16 @@
 #include <vector>
 
 #include "geom/mesh_check.h"
+#include "geom/self_intersection.h"
+#include "geom/triangle_mesh.h"
 
 namespace cocoon::app {
 
 // What the words are asked about.
 struct Certificate {
   MeshReport report;
-  std::optional<std::size_t> self_intersections;  // pairs of triangles; none: not looked for
+  std::size_t faces_left_out = 0;  // of the file, which the reader has dropped: without area
+  std::optional<SelfIntersections> self_intersections;  // none: not looked for
 };
 
 // All words, separated by commas.
@@ -29,6 +32,7 @@ bool needs_self_intersections(const std::vector<std::string>& words);
 // One part sentence for each requirement that does not hold, with the count that says why:
 // "not closed (12 open edges)". Empty: all hold.
 std::vector<std::string> failed_requirements(const std::vector<std::string>& words,
-                                             const Certificate& certificate);
+                                             const Certificate& certificate,
+                                             const TriangleMesh& mesh);
 
 }  // namespace cocoon::app

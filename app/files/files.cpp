@@ -191,7 +191,9 @@ void require_outputs(Job& job, std::vector<OutputFile> outputs,
       throw UsageError(output.path + ": two outputs cannot be the same file");
     }
     for (const std::string& input : inputs) {
-      if (input == output.may_replace || place_of(input) != target) continue;
+      if (place_of(input) != target) continue;
+      if (input == output.may_replace && extension_of(target) == extension_of(output.path))
+        continue;
       throw UsageError(output.path + ": is an input and would be overwritten; name another file");
     }
     targets.push_back(target);
@@ -201,6 +203,13 @@ void require_outputs(Job& job, std::vector<OutputFile> outputs,
     for (const OutputFile& output : outputs) require_not_of_session(output.path, session.path);
     for (const std::string& input : inputs) require_not_of_session(input, session.path);
   }
+}
+
+void require_replaceable(const std::string& output, const std::string& input, std::size_t faces) {
+  if (faces > 0 || place_of(output) != place_of(input)) return;
+  throw UsageError(output +
+                   ": is an input without faces, whose points would be overwritten; name another "
+                   "file");
 }
 
 fs::path place_of(const fs::path& path) {
@@ -258,13 +267,14 @@ std::vector<Point> read_cloud(Job& job, const std::string& path, const std::stri
   return std::move(cloud.points);
 }
 
-TriangleMesh read_shape(Job& job, const std::string& path, const std::string& section,
-                        VertexProperties* properties, std::vector<std::size_t>* skipped) {
-  if (!has_mesh_extension(path)) {
-    return {IdVector<VertexId, Point>(read_cloud(job, path, section, properties, nullptr, skipped)),
-            {}};
-  }
+Shape read_shape(Job& job, const std::string& path, const std::string& section,
+                 VertexProperties* properties) {
   MeshReadReport read;
+  if (!has_mesh_extension(path)) {
+    IdVector<VertexId, Point> points(
+        read_cloud(job, path, section, properties, nullptr, &read.skipped));
+    return {{std::move(points), {}}, std::move(read)};
+  }
   const MeshReadOptions options = {job.shared().skip_non_finite};
   TriangleMesh mesh = timed(job.execution(), "read", [&] {
     return naming_the_option([&] {
@@ -275,7 +285,7 @@ TriangleMesh read_shape(Job& job, const std::string& path, const std::string& se
   warn_of_skipped(job, path, section, read.skipped.size());
   job.report().set(section + "/faces", read.faces);
   if (read.polygons > 0) job.report().set(section + "/polygons_cut", read.polygons);
-  const std::size_t left_out = read.short_faces + read.degenerate_triangles;
+  const std::size_t left_out = read.left_out();
   if (left_out > 0) {
     job.report().set(section + "/faces_left_out", left_out);
     job.warn(fmt::format("{}: {} left out", path,
@@ -283,8 +293,7 @@ TriangleMesh read_shape(Job& job, const std::string& path, const std::string& se
   }
   warn_of_surplus_lines(job, path, section, read.surplus_lines, read.first_surplus_line);
   warn_of_trailing_bytes(job, path, section, read.trailing_bytes);
-  if (skipped != nullptr) *skipped = std::move(read.skipped);
-  return mesh;
+  return {std::move(mesh), std::move(read)};
 }
 
 }  // namespace cocoon::app

@@ -9,6 +9,7 @@
 #include "geom/errors.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
+#include "io/mesh_file_options.h"
 #include "io/vertex_properties.h"
 
 namespace cocoon::app {
@@ -19,8 +20,10 @@ inline const std::vector<std::string> mesh_extensions = {".ply", ".obj", ".off",
 struct OutputFile {
   std::string path;                          // empty: not wanted
   std::vector<std::string> extensions = {};  // that its format can have; empty: any
-  std::string may_replace = {};              // the one input that it may be; empty: none
-  bool is_session = false;                   // files beside it are its own: FILE.lock, FILE.cloud-K
+  // The one input that it may be, if it has the same extension there; empty: none. Once that is
+  // read, require_replaceable() is to be asked.
+  std::string may_replace = {};
+  bool is_session = false;  // files beside it are its own: FILE.lock, FILE.cloud-K
 };
 
 // Checks what a command is going to write, so that nobody waits an hour for "no such folder". If
@@ -31,6 +34,10 @@ struct OutputFile {
 // them.
 void require_outputs(Job& job, std::vector<OutputFile> outputs,
                      const std::vector<std::string>& inputs = {});
+
+// Throws UsageError if the mesh to be written would take the place of an input without faces: not
+// all points of a scan need be on the surface that is made of it.
+void require_replaceable(const std::string& output, const std::string& input, std::size_t faces);
 
 // Where a file lies or would lie, behind all symbolic links: one place has one such path, however
 // it is spelled. For paths that cannot be looked up, the path as it is.
@@ -54,10 +61,14 @@ std::vector<Point> read_cloud(Job& job, const std::string& path, const std::stri
                               VertexProperties* properties = nullptr, std::size_t* faces = nullptr,
                               std::vector<std::size_t>* skipped = nullptr);
 
+struct Shape {
+  TriangleMesh mesh;
+  MeshReadReport read;
+};
+
 // Reads what may be a mesh or a point cloud: a file without triangles gives points alone.
-TriangleMesh read_shape(Job& job, const std::string& path, const std::string& section,
-                        VertexProperties* properties = nullptr,
-                        std::vector<std::size_t>* skipped = nullptr);
+Shape read_shape(Job& job, const std::string& path, const std::string& section,
+                 VertexProperties* properties = nullptr);
 
 // Runs `body` and puts the name of the file in front of what the library says of its content.
 template <class Body>

@@ -34,8 +34,9 @@ IdVector<VertexId, VertexId> without(const std::vector<std::size_t>& skipped, st
 
 ModelFile read_model(Job& job, const std::string& path, const std::string& section,
                      VertexProperties* properties) {
-  std::vector<std::size_t> skipped;
-  ModelFile model{read_shape(job, path, section, properties, &skipped), {}};
+  Shape shape = read_shape(job, path, section, properties);
+  ModelFile model{std::move(shape.mesh), {}};
+  const std::vector<std::size_t>& skipped = shape.read.skipped;
   if (!skipped.empty()) model.vertex_of = without(skipped, model.mesh.points.size());
   if (model.mesh.triangles.empty()) return model;
   const std::vector<RepeatedPoint> repeated = repeated_points(model.mesh.points.span());

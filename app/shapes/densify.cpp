@@ -5,9 +5,9 @@
 
 #include "app/files/files.h"
 #include "app/files/model_file.h"
+#include "cocone/reconstruct.h"
 #include "cocone/solid/conforming_samples.h"
 #include "cocone/solid/labels_of_solid.h"
-#include "cocone/reconstruct.h"
 #include "geom/errors.h"
 #include "geom/mesh/dense_samples.h"
 #include "geom/mesh_check.h"
@@ -29,8 +29,7 @@ bool have_topology_of(const MeshReport& mesh, const std::vector<Point>& samples,
 // Adds samples of a closed mesh if those that there are do not suffice. Returns the labels that it
 // tells of the cells between them.
 KnownLabelsSource conform(Job& job, TriangleMesh mesh, const MeshReport& certificate,
-                          double spacing, std::vector<Point>& samples) {
-  const Execution& execution = job.execution();
+                          double spacing, std::vector<Point>& samples, const Execution& execution) {
   const KnownLabelsSource labels = labels_told_by(mesh, samples, labels_of_crossing_cells);
   if (have_topology_of(certificate, samples, labels, execution)) return labels;
   const ConformingSamples more = conforming_samples(mesh, samples, {.spacing = spacing}, execution);
@@ -71,9 +70,9 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
   dense.points.insert(dense.points.end(), added.begin(), added.end());
   dense.certificate = mesh_check(mesh, {}, job.execution());
   if (dense.certificate.balanced) {
-    dense.labels = timed(job.execution(), "conforming_samples", [&] {
+    dense.labels = run_step(job.execution(), "conforming", [&](const Execution& nested) {
       return naming_input(path, [&] {
-        return conform(job, std::move(mesh), dense.certificate, spacing, dense.points);
+        return conform(job, std::move(mesh), dense.certificate, spacing, dense.points, nested);
       });
     });
   } else {

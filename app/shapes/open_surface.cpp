@@ -40,7 +40,7 @@ std::size_t drop_unused_vertices(ReconstructResult& surface) {
 
 }  // namespace
 
-void open_surface(Job& job, double max_edge, ReconstructResult& surface) {
+void open_surface(Job& job, const std::string& input, double max_edge, ReconstructResult& surface) {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   timed(job.execution(), "trim", [&] {
@@ -49,8 +49,8 @@ void open_surface(Job& job, double max_edge, ReconstructResult& surface) {
     surface.mesh = std::move(trimmed.mesh);
     if (surface.mesh.triangles.empty()) {
       throw InputError(fmt::format(
-          "--trim {} leaves no triangle: all have edges longer than so many spacings; use more",
-          max_edge));
+          "{}: --trim {} leaves no triangle: all have edges longer than so many spacings; use more",
+          input, max_edge));
     }
     vertices = drop_unused_vertices(surface);
   });

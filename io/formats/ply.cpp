@@ -54,7 +54,8 @@ std::vector<Role> roles_of(const PlyElement& element, const FileBytes& file) {
     if (found == wanted) continue;
     throw file_error(file.path, element.line,
                      "element " + in_quotes(element.name) + (found == 0 ? " lacks" : " repeats") +
-                         (is_vertex ? " a property x, y or z" : " its list vertex_indices"));
+                         (is_vertex ? " a property x, y or z" : " its list vertex_indices") +
+                         "; write the file anew with one of each");
   }
   return roles;
 }

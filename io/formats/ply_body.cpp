@@ -239,8 +239,11 @@ std::int64_t PlyBinaryBody::integer(PlyType type) {
 
 std::size_t PlyBinaryBody::list_length(PlyType count_type, PlyType type) {
   const std::int64_t length = integer(count_type);
-  if (length < 0 ||
-      static_cast<std::size_t>(length) > static_cast<std::size_t>(end_ - at_) / size_of(type)) {
+  if (length < 0) {
+    throw file_error(file_.path, "announces a list of " + std::to_string(length) + " values in " +
+                                     place() + "; it is damaged");
+  }
+  if (static_cast<std::size_t>(length) > static_cast<std::size_t>(end_ - at_) / size_of(type)) {
     throw file_error(file_.path, "announces a list of " + std::to_string(length) + " values in " +
                                      place() +
                                      ", more than the file holds; it is cut off or damaged");

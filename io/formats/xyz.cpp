@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/encoding/column_names.h"
@@ -18,6 +19,11 @@ namespace cocoon {
 namespace {
 
 enum class Separator { none, blank, comma, semicolon };
+
+std::string not_decimal(std::string_view text) {
+  return " is not a decimal number: " + in_quotes(text) +
+         "; correct or remove this line, or begin it with # if it is a comment";
+}
 
 bool is_comment(const char* at, const char* end) {
   return *at == '#' || (*at == '/' && at + 1 != end && at[1] == '/');
@@ -223,8 +229,7 @@ class XyzReader {
           at == text.data() + text.size()) {
         continue;
       }
-      fail("column " + std::to_string(columns_.at[axis] + 1) +
-           " is not a decimal number: " + in_quotes(text));
+      fail("column " + std::to_string(columns_.at[axis] + 1) + not_decimal(text));
     }
     add({xyz[0], xyz[1], xyz[2]});
   }
@@ -253,7 +258,7 @@ class XyzReader {
       if (!parse_double(at, end, xyz[column]) || !read_separator(at, end, separators[column])) {
         const std::string_view text(begin, static_cast<std::size_t>(end - begin));
         fail("column " + std::to_string(column + 1) +
-             " is not a decimal number: " + in_quotes(text.substr(0, text.find_first_of(" \t,;"))));
+             not_decimal(text.substr(0, text.find_first_of(" \t,;"))));
       }
       if (separators[column] == Separator::none && column < 2) {
         const bool may_be_count = column == 0 && cloud_.announced && !cloud_.points.empty();

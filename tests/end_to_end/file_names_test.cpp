@@ -146,6 +146,28 @@ TEST_F(InputsAsOutputs, AMeshMayTakeThePlaceOfItsModel) {
   ASSERT_EQ(run_program({"reconstruct", "points.xyz", "-o", "m.ply"}).exit_code, 0);
   EXPECT_EQ(run_program({"update", "m.ply", "cap.xyz", "-o", "./m.ply"}).exit_code, 0);
   EXPECT_EQ(run_program({"reconstruct", "m.ply", "-o", "m.ply"}).exit_code, 0);
+  EXPECT_EQ(run_program({"reconstruct", "m.ply", "-o", "m.ply", "--densify", "1"}).exit_code, 0);
+  fs::create_symlink("m.ply", "m.obj");
+  expect_error(run_program({"reconstruct", "m.ply", "-o", "m.obj"}), 2,
+               "m.obj: is an input and would be overwritten");
+}
+
+// Of a scan nothing else may be left.
+TEST_F(InputsAsOutputs, AMeshDoesNotTakeThePlaceOfAScan) {
+  const std::string scan =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+      "property float y\nproperty float z\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  folder.write("scan.ply", scan);
+  fs::create_symlink("scan.ply", "again.ply");
+  const std::vector<Names> command_lines = {
+      {"reconstruct", "scan.ply", "-o", "scan.ply"},
+      {"reconstruct", "scan.ply", "-o", "again.ply"},
+      {"boundary", "scan.ply", "-o", "./scan.ply"},
+      {"update", "scan.ply", "cap.xyz", "-o", "scan.ply"},
+  };
+  expect_errors(command_lines, 2, "is an input without faces, whose points would be overwritten");
+  EXPECT_EQ(content_of("scan.ply"), scan);
 }
 
 TEST_F(LongNames, AreToldInOneLine) {

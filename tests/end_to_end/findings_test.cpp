@@ -119,6 +119,26 @@ TEST(Findings, ARefusalSaysWhereAndBecauseOfWhat) {
             0);
 }
 
+// Samples that fill a cube are on no surface.
+TEST(Findings, BoundaryTellsOfPointsThatAreLeftOut) {
+  const TemporaryFolder folder;
+  std::string cloud = whole_sphere(1500);
+  for (const Point& p : gallery::uniform_cube(300, 5)) cloud += point_line(p.x + 4, p.y, p.z);
+  const std::string both = folder.write("cloud.xyz", cloud);
+  ProgramRun run =
+      run_program({"boundary", both, "-o", folder.file("mesh.ply"), "--json", folder.file("j")});
+  EXPECT_EQ(run.exit_code, 0) << run.error;
+  const Json report = Json::parse(content_of(folder.file("j")));
+  const int unused = report["surface"]["unused_points"];
+  EXPECT_GT(unused, 250);
+  ASSERT_EQ(report["findings"].size(), 1U);
+  EXPECT_EQ(report["findings"][0]["kind"], "unused");
+  EXPECT_EQ(report["findings"][0]["count"], unused);
+  EXPECT_NE(run.out.find("warning: " + std::to_string(unused) + " of 1800 points are not"),
+            std::string::npos)
+      << run.out;
+}
+
 // No advice names an option that the command does not have, or that is of something else there.
 TEST(Findings, ARefusalAdvisesWhatCanBeDone) {
   const TemporaryFolder folder;

@@ -58,6 +58,9 @@ TEST(Program, WrongCommandLinesAreTwo) {
   expect_error(run_program({"reconstruct", cloud}), 2, "output");
   expect_error(run_program({"reconstruct", cloud, "-o", out, "--speed", "9"}), 2, "--speed");
   expect_error(run_program({"reconstruct", cloud, "-o", out, "--rho", "-1"}), 2, "rho");
+  expect_error(run_program({"update", cloud, cloud, "-o", out, "--keep-groups", "3,4",
+                            "--replace-groups", "4"}),
+               2, "group 4 is in --keep-groups and in --replace-groups");
   expect_error(run_program({"reconstruct", cloud, "-o", folder.file("out.docx")}), 2, ".docx");
   expect_error(run_program({"reconstruct", cloud, "-o", out, "--json", out}), 2, "same file");
   expect_error(run_program({"sample", "teapot"}), 2, "teapot");
@@ -203,6 +206,13 @@ TEST(Program, CheckCertifiesAndRequires) {
   EXPECT_EQ(run_program({"check", open, "--require", "closed", "--json", json}).exit_code, 1);
   EXPECT_EQ(Json::parse(content_of(json))["failed_requirements"].size(), 1U);
   EXPECT_EQ(run_program({"check", open}).exit_code, 0);
+
+  // The reader leaves it out, but the file has it.
+  const std::string bad =
+      folder.write("bad.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 1 1 2\n");
+  EXPECT_EQ(report_of({"check", bad})["surface"]["repeated_vertex_triangles"], 1);
+  expect_error(run_program({"check", bad, "--require", "no-bad-triangles", "--quiet"}), 1,
+               "bad.off: fails no-bad-triangles (1 triangles with a repeated vertex");
 }
 
 TEST(Program, CompareMeasuresBothDirections) {
@@ -317,6 +327,21 @@ TEST(Program, UpdateMayOverwriteItsOwnModel) {
   const Json second = report_of({"update", model, cloud, "-o", model});
   EXPECT_EQ(first["surface"]["hash"], second["surface"]["hash"]);
   EXPECT_EQ(content_of(model), content_of(folder.file("new.ply")));
+}
+
+// Clouds of a model with more of them would be taken for those of this one.
+TEST(Program, SampleTellsOfCloudsThatAreLeft) {
+  const TemporaryFolder folder;
+  const Names few = {"--points", "600", "--cloud-points", "900", "-o", folder.file("")};
+  const auto sample = [&](const std::string& model) {
+    Names arguments = {"sample", model};
+    arguments.insert(arguments.end(), few.begin(), few.end());
+    return report_of(arguments)["warnings"];
+  };
+  EXPECT_EQ(sample("airbag").size(), 0U);
+  const Json warnings = sample("block");
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_NE(warnings[1].get<std::string>().find("cloud-3.xyz: is left"), std::string::npos);
 }
 
 TEST(Program, SampleWritesTheModelAndItsTruth) {

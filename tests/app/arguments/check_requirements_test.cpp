@@ -12,7 +12,7 @@ namespace {
 
 // The triangles at the edge from (0, 0, 0) to (0, 0, 1), each with a corner of its own, and whether
 // they run along it upward.
-Certificate fan(const std::vector<bool>& upward) {
+TriangleMesh fan(const std::vector<bool>& upward) {
   TriangleMesh mesh;
   mesh.points = IdVector<VertexId, Point>(std::vector<Point>{{0, 0, 0}, {0, 0, 1}});
   double x = 1;
@@ -24,32 +24,73 @@ Certificate fan(const std::vector<bool>& upward) {
     const VertexId high(1);
     mesh.triangles.push_back(up ? Triangle{low, high, tip} : Triangle{high, low, tip});
   }
-  Certificate certificate;
-  certificate.report = mesh_check(mesh);
-  return certificate;
+  return mesh;
 }
 
-std::string failure(const char* word, const Certificate& certificate) {
-  const std::vector<std::string> failures = failed_requirements({word}, certificate);
+std::string failure(const char* word, const TriangleMesh& mesh, std::size_t faces_left_out = 0) {
+  Certificate certificate{mesh_check(mesh), faces_left_out, {}};
+  if (needs_self_intersections({word})) certificate.self_intersections = self_intersection(mesh);
+  const std::vector<std::string> failures = failed_requirements({word}, certificate, mesh);
   return failures.empty() ? "" : failures[0];
 }
 
 TEST(CheckRequirements, ClosedCountsWhatLeavesAMeshOpen) {
-  EXPECT_EQ(failure("closed", fan({true, false})),
-            "not closed (4 open edges, 0 others with an odd number of triangles)");
-  EXPECT_EQ(failure("closed", fan({true, false, true})),
-            "not closed (6 open edges, 1 others with an odd number of triangles)");
-  EXPECT_EQ(failure("watertight", fan({true, false, true, false})),
-            "not watertight (8 open edges, 0 others with an odd number of triangles)");
+  EXPECT_EQ(
+      failure("closed", fan({true, false})),
+      "not closed (4 open edges, 0 others with an odd number of triangles, as near (0, 0, 0))");
+  EXPECT_EQ(
+      failure("closed", fan({true, false, true})),
+      "not closed (6 open edges, 1 others with an odd number of triangles, as near (0, 0, 0))");
+  EXPECT_EQ(
+      failure("watertight", fan({true, false, true, false})),
+      "not watertight (8 open edges, 0 others with an odd number of triangles, as near (0, 0, 0))");
 }
 
 TEST(CheckRequirements, OrientedDoesNotCountOpenEdges) {
   EXPECT_EQ(failure("oriented", fan({true, false})), "");
   EXPECT_EQ(failure("oriented", fan({true, true})),
-            "not oriented (1 edges with two triangles in the same direction)");
+            "not oriented (1 edges with two triangles in the same direction, as near (0, 0, 0))");
   EXPECT_EQ(failure("oriented", fan({true, true, false})),
             "not oriented (edges with more than two triangles are not run through equally often "
             "both ways)");
+}
+
+TEST(CheckRequirements, ManifoldTellsWhere) {
+  EXPECT_EQ(failure("manifold", fan({true, false})), "");
+  EXPECT_EQ(failure("manifold", fan({true, false, true})),
+            "not manifold (1 edges with more than two triangles, 2 pinched vertices, as near "
+            "(0, 0, 0))");
+  TriangleMesh pinched = fan({true});
+  pinched.points.push_back({5, 5, 5});
+  pinched.points.push_back({5, 6, 5});
+  pinched.triangles.push_back({VertexId(1), VertexId(3), VertexId(4)});
+  EXPECT_EQ(failure("manifold", pinched),
+            "not manifold (0 edges with more than two triangles, 1 pinched vertices, as near "
+            "(0, 0, 1))");
+  EXPECT_EQ(failure("edge-manifold", pinched), "");
+}
+
+// Also those that no mesh of ours has any more, since the reader left them out.
+TEST(CheckRequirements, BadTrianglesOfTheFileCount) {
+  EXPECT_EQ(failure("no-bad-triangles", fan({true})), "");
+  EXPECT_EQ(failure("no-bad-triangles", fan({true}), 2),
+            "fails no-bad-triangles (2 triangles with a repeated vertex, 0 without area, 0 "
+            "duplicates)");
+  TriangleMesh twice = fan({true});
+  twice.triangles.push_back(twice.triangles[TriangleId(0)]);
+  EXPECT_EQ(failure("no-bad-triangles", twice),
+            "fails no-bad-triangles (0 triangles with a repeated vertex, 0 without area, 1 "
+            "duplicates, as near (0, 0, 0))");
+}
+
+TEST(CheckRequirements, CrossingTrianglesHaveAPlace) {
+  TriangleMesh crossing = fan({true});
+  for (const Point& p : {Point{0.5, 0.5, 0.4}, Point{0.5, 0.5, 3}, Point{0.6, -4, 0.4}}) {
+    crossing.points.push_back(p);
+  }
+  crossing.triangles.push_back({VertexId(3), VertexId(4), VertexId(5)});
+  EXPECT_EQ(failure("no-self-intersections", crossing),
+            "fails no-self-intersections (1 pair of triangles crosses, as near (0, 0, 0))");
 }
 
 }  // namespace

@@ -184,11 +184,13 @@ TEST(Ply, RefusesWhatIsAmbiguousOrDamaged) {
                                         "property list uchar int vertex_index\n"
                                         "property list uchar int vertex_indices\n") +
                     "0 0 0\n0 0\n"),
-            ":7: element 'face' repeats its list vertex_indices");
+            ":7: element 'face' repeats its list vertex_indices; write the file anew with one of "
+            "each");
   EXPECT_EQ(message(header("ascii", vertex + face + "property int vertex_index\n") + "0 0 0\n0\n"),
             ":7: property 'vertex_index' must be a list");
   EXPECT_EQ(message(header("ascii", vertex + face + "property int color\n") + "0 0 0\n0\n"),
-            ":7: element 'face' lacks its list vertex_indices");
+            ":7: element 'face' lacks its list vertex_indices; write the file anew with one of "
+            "each");
   EXPECT_EQ(message(header("ascii", vertex + face + "property list uchar int vertex_index\n") +
                     "0 0 0\n3 0 0.5 0\n"),
             ":11: expected a whole number, found '0.5'; does the line match the header?");

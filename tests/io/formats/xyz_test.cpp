@@ -1,5 +1,6 @@
 #include <array>
 #include <gtest/gtest.h>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,13 @@
 
 namespace cocoon {
 namespace {
+
+std::string not_decimal(int line, int column, const std::string& text) {
+  std::ostringstream message;
+  message << ":" << line << ": column " << column << " is not a decimal number: " << text
+          << "; correct or remove this line, or begin it with # if it is a comment";
+  return message.str();
+}
 
 class Xyz : public testing::Test {
  protected:
@@ -101,7 +109,7 @@ TEST_F(Xyz, ValuesMayBeInQuotes) {
                               "a,x,y,z\n\"1,5\",'1',\"2\",3\n\"b\",4,\"5\",'6'\n"}) {
     EXPECT_EQ(read(content).points, two) << content;
   }
-  EXPECT_EQ(message("x,y,z\n\"1,5\",\"2\",\"3\"\n"), ":2: column 1 is not a decimal number: '1,5'");
+  EXPECT_EQ(message("x,y,z\n\"1,5\",\"2\",\"3\"\n"), not_decimal(2, 1, "'1,5'"));
   EXPECT_EQ(message("\"1\",\"2\"\n"), ":1: a row needs three numbers x y z, this one has 2");
   EXPECT_EQ(message("\"1\",\"2\",\"3\"\n\"1\",\"2\",\"3\",\"4\"\n"),
             ":2: has 4 columns, but earlier lines have 3; if the comma is a decimal comma, write a "
@@ -120,7 +128,7 @@ TEST_F(Xyz, TablesOfR) {
 TEST_F(Xyz, PandasNumbersRowsAndColumns) {
   EXPECT_EQ(read(",0,1,2\n0,1,2,3\n1,4,5,6\n").points, two);
   EXPECT_EQ(read("\"\";\"0\";\"1\";\"2\";\"3\"\n0;1;2;3;9\n1;4;5;6;9\n").points, two);
-  EXPECT_EQ(message(",0,1,3\n0,1,2,3\n"), ":1: column 1 is not a decimal number: ''");
+  EXPECT_EQ(message(",0,1,3\n0,1,2,3\n"), not_decimal(1, 1, "''"));
 }
 
 TEST_F(Xyz, TellsRowsAndColumnsThatAreCounted) {
@@ -163,8 +171,8 @@ TEST_F(Xyz, TheColumnThatNumbersTheRowsMayHaveNoName) {
     EXPECT_FALSE(cloud.told_columns);
     EXPECT_EQ(cloud.coordinate_names, (std::array<std::string, 3>{"u", "v", "w"}));
   }
-  EXPECT_EQ(message(",,x,y,z\n0,0,1,2,3\n"), ":1: column 1 is not a decimal number: ''");
-  EXPECT_EQ(message(",x,y\n0,1,2\n"), ":1: column 1 is not a decimal number: ''");
+  EXPECT_EQ(message(",,x,y,z\n0,0,1,2,3\n"), not_decimal(1, 1, "''"));
+  EXPECT_EQ(message(",x,y\n0,1,2\n"), not_decimal(1, 1, "''"));
 }
 
 TEST_F(Xyz, ValuesThatAreMissingBetweenTabsAreNoCoordinates) {
@@ -231,7 +239,7 @@ TEST_F(Xyz, RefusesWhatItCannotBeSureOf) {
       "UTM, say), with coordinates and heights in one unit";
   EXPECT_EQ(message("lat,lon,alt\n1,2,3\n"), angles);
   EXPECT_EQ(message("Id;Longitude [deg];Latitude [deg];z\n1;2;3;4\n"), angles);
-  EXPECT_EQ(message("id;x;y;z\n1;0,5;1;2\n"), ":2: column 2 is not a decimal number: '0,5'");
+  EXPECT_EQ(message("id;x;y;z\n1;0,5;1;2\n"), not_decimal(2, 2, "'0,5'"));
   EXPECT_EQ(message("id,x,y,z\n1,0,5,1,2\n"),
             ":2: has 5 columns, but the header names 4; " + decimal_comma);
   EXPECT_EQ(message("id x y z\n1 1 2 3\n2 4 5\n"),
@@ -241,9 +249,9 @@ TEST_F(Xyz, RefusesWhatItCannotBeSureOf) {
   EXPECT_EQ(message("1 2 3\n4 5\n"), ":2: a row needs three numbers x y z, this one has 2");
   EXPECT_EQ(message("1 2 3\n7\n4 5 6\n"), ":2: a row needs three numbers x y z, this one has 1");
   EXPECT_EQ(message("2\n7\n4 5 6\n"), ":2: a row needs three numbers x y z, this one has 1");
-  EXPECT_EQ(message("2\n\nC 1 2 3\n"), ":3: column 1 is not a decimal number: 'C'");
-  EXPECT_EQ(message("1 2 3\n1 0x1 3\n"), ":2: column 2 is not a decimal number: '0x1'");
-  EXPECT_EQ(message("1 2 3\n1,,3\n"), ":2: column 2 is not a decimal number: ''");
+  EXPECT_EQ(message("2\n\nC 1 2 3\n"), not_decimal(3, 1, "'C'"));
+  EXPECT_EQ(message("1 2 3\n1 0x1 3\n"), not_decimal(2, 2, "'0x1'"));
+  EXPECT_EQ(message("1 2 3\n1,,3\n"), not_decimal(2, 2, "''"));
   EXPECT_EQ(message("# only\n"), ": holds no points; expected lines 'x y z'");
 }
 
