@@ -33,7 +33,7 @@ class CutSeeds {
         border_(border),
         rims_(rims),
         rim_index_(rims),
-        steps_(steps_per_edge / median_edge) {}
+        costs_{steps_per_edge / median_edge} {}
 
   // By the rims: those beside the border.
   void pull_by_rims(double reach, RegionCut& cut) {
@@ -80,22 +80,28 @@ class CutSeeds {
 
   // Anew with each call.
   void label(RegionCut& cut) const {
-    FacetCut found = facet_cut(model_, border_, pulls_, steps_);
-    cut.under = std::move(found.source);
-    cut.under_facets = found.source_facets;
+    cut.under = facet_cut(model_, border_, pulls_, costs_);
+    cut.under_facets = members(cut.under).size();
     cut.cut_edges = 0;
     cut.cut_length = cut.contradicted = 0;
     for (const FacetPull& p : pulls_) {
       const bool agrees = cut.under[p.facet] != 0 ? p.pull >= 0 : p.pull <= 0;
       if (!agrees) cut.contradicted += length_of(std::abs(p.pull));
     }
-    for (const Halfedge halfedge : found.halfedges) {
+    for (const Halfedge halfedge : halfedges_of_cut(model_, border_, cut.under)) {
       const TriangleId t(triangle_of_halfedge(halfedge));
       const std::size_t i = corner_of_halfedge(halfedge);
       if (is_end(t) || is_end(model_.neighbors()[t][i])) continue;
       ++cut.cut_edges;
-      cut.cut_length += length_of(edge_in_steps(model_, t, i, steps_));
+      cut.cut_length += length_of(edge_in_steps(model_, t, i, costs_));
     }
+  }
+
+  // To where samples lie on the model. What the cut cost before tells how much the rims leave open.
+  void move(std::span<const Scan> scans, const MovedCutOptions& options, RegionCut& cut) const {
+    cut.under = moved_cut(model_, border_, pulls_, costs_.steps_per_unit, std::move(cut.under),
+                          scans, options);
+    cut.under_facets = members(cut.under).size();
   }
 
  private:
@@ -112,7 +118,7 @@ class CutSeeds {
     std::int64_t sum = 0;
     for (const TriangleId t : facets) {
       std::int64_t edges = 0;
-      for (std::size_t i = 0; i < 3; ++i) edges += edge_in_steps(model_, t, i, steps_);
+      for (std::size_t i = 0; i < 3; ++i) edges += edge_in_steps(model_, t, i, costs_);
       sum += edges / 2;
       const FacetPull more{t, way * (edges / 2)};
       const auto end = pulls_.begin() + known;
@@ -166,7 +172,7 @@ class CutSeeds {
     for (std::size_t i = 0; i < 3; ++i) {
       const TriangleId next = model_.neighbors()[t][i];
       if (next.is_none() || border_[next] == 0) continue;
-      edges.at_border += edge_in_steps(model_, t, i, steps_);
+      edges.at_border += edge_in_steps(model_, t, i, costs_);
     }
     edges.shortest = shortest_edge(model_.mesh(), t);
     return edges;
@@ -176,7 +182,7 @@ class CutSeeds {
   const TriangleSet& border_;
   std::span<const CloudRim> rims_;
   RimIndex rim_index_;
-  double steps_;                  // of one unit of length
+  EdgeCosts costs_;
   std::vector<FacetPull> pulls_;  // in the order of ids
   std::vector<TriangleId> ends_;  // in the order of ids
 };
@@ -250,7 +256,7 @@ std::vector<TriangleId> disproved_off_border(const ModelIndex& model, const Tria
 }
 
 // The cut where the labels no longer have the model go on under the cloud although the scans end on
-// it.
+// it, and where it has moved.
 RegionCut without_ends(const ModelIndex& model, CutSeeds seeds, RegionCut cut,
                        std::span<const CloudRim> rims, std::span<const Scan> scans,
                        const CutOptions& options) {
@@ -273,6 +279,7 @@ RegionCut without_ends(const ModelIndex& model, CutSeeds seeds, RegionCut cut,
     seeds.pull_outside(ends, cut);
     seeds.label(cut);
   }
+  seeds.move(scans, options.moved, cut);
   seeds.find_splinters(options.min_outside_facets, cut);
   return cut;
 }

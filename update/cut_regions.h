@@ -16,6 +16,7 @@
 #include "update/disproved_facets.h"
 #include "update/model/model_index.h"
 #include "update/model/triangle_set.h"
+#include "update/regions/moved_cut.h"
 #include "update/scan_ends.h"
 #include "update/segment_model.h"
 #include "update/trace_border.h"
@@ -54,6 +55,7 @@ struct CutOptions {
   double box_reach = 10;
   ScanEndOptions ends = {};
   DisprovedOptions disproved = {};
+  MovedCutOptions moved = {};
 };
 
 // Adds the facets under the rim edges that are known to `border`: those with both ends on the model
@@ -68,7 +70,8 @@ void certain_border(const ModelIndex& model, const CloudRim& rim, std::span<cons
 struct RegionCut {
   TriangleSet under;  // 1: the facet lies under the cloud
   std::size_t under_facets = 0;
-  // Between facets of both sides, off the border, where nothing tells that it should be there.
+  // Between facets of both sides, off the border, where nothing tells that it should be there, and
+  // before it moves (moved_cut.h).
   std::size_t cut_edges = 0;
   double cut_length = 0;   // of these
   double seeds_under = 0;  // the border's sides beside facets that say so
@@ -100,15 +103,15 @@ struct RegionCut {
 //     samples than these look: then the samples are wrong, or their normals.
 //  4. Where the labels would have the model go on under the cloud although the scans end on it
 //     (scan_ends.h), facets there say "outside".
-//  5. Where the rim runs into a seam, as at the mouth of a hole, edges that are no end of the cloud
+//  5. The cut moves to where samples lie on the model still (moved_cut.h).
+//  6. Where the rim runs into a seam, as at the mouth of a hole, edges that are no end of the cloud
 //     have a few facets say "outside" in the midst of it: the splinters.
 // `rims`: of one cloud, or of several that overlap each other and are cut as one. `scans`: their
-// samples; without them step 4 is left out. `outward`: of the samples, by the number of the scan;
-// without it step 3 is left out.
-// Why: docs/update.md, departure 16. Errors: InputError for no rim, for the border of another
-// model, by its size, and for options out of range. Complexity: that of a minimum cut of n facets,
-// near linear. Deterministic: lengths are compared as integers, and the labels are unique. Source:
-// ours; Woo & Dey 2005, section 3.4 presumes rims that are closed.
+// samples; without them steps 4 and 5 are left out. `outward`: of the samples, by the number of the
+// scan; without it step 3 is left out. Why: docs/update.md, departure 16. Errors: InputError for no
+// rim, for the border of another model, by its size, and for options out of range. Complexity: that
+// of a minimum cut of n facets, near linear. Deterministic: lengths are compared as integers, and
+// the labels are unique. Source: ours; Woo & Dey 2005, section 3.4 presumes rims that are closed.
 RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
                           std::span<const CloudRim> rims, std::span<const Scan> scans = {},
                           const CutOptions& options = {}, const OutwardNormals& outward = {});

@@ -49,8 +49,9 @@ class ThinningTest {
 // The vertices to be looked at, ascending: all but those of the region that nothing is said of; all
 // if it is none.
 std::vector<VertexId> not_plain(RegionId plain, const Regions& regions,
-                                const SparseVector<VertexId, Scanned>& scanned) {
-  std::vector<VertexId> found;
+                                const SparseVector<VertexId, Scanned>& scanned,
+                                std::span<const VertexId> overlooked) {
+  std::vector<VertexId> found(overlooked.begin(), overlooked.end());
   const auto take = [&](VertexId v) { found.push_back(v); };
   regions.group_of_vertex.visit_where([&](RegionId r) { return plain.is_none() || r != plain; },
                                       take);
@@ -224,8 +225,8 @@ void require_inputs(const ModelIndex& index, const Regions& regions, const Regio
 Replacement replace_points(const ModelIndex& index, const Regions& regions,
                            const RegionChoice& choice, std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds,
-                           std::span<const std::vector<Point>> added,
-                           const ReplaceOptions& options) {
+                           std::span<const std::vector<Point>> added, const ReplaceOptions& options,
+                           std::span<const VertexId> overlooked) {
   const TriangleMesh& model = index.mesh();
   require_inputs(index, regions, choice, rims, clouds, options);
   Replacement result;
@@ -255,6 +256,10 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
       replaced = !replaced;
       ++(replaced ? result.scanned_replaced : result.unscanned_kept);
     }
+    if (!replaced && std::binary_search(overlooked.begin(), overlooked.end(), v)) {
+      replaced = true;
+      ++result.overlooked;
+    }
     if (on_border) ++(replaced ? result.border_replaced : result.border_kept);
     if (replaced) {
       ++result.replaced;
@@ -265,7 +270,7 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
     }
   };
   const RegionId plain = thinning.is_on() ? RegionId() : largest_kept_region(regions, choice);
-  for (const VertexId v : not_plain(plain, regions, scanned)) decide(v);
+  for (const VertexId v : not_plain(plain, regions, scanned, overlooked)) decide(v);
   result.kept = edit.size_after(model.points.size());
 
   // 2. Then the clouds; equal points once.

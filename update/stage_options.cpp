@@ -78,6 +78,19 @@ void require_options(const char* stage, const CutOptions& options) {
   require_shares(stage, {{"cut.clear_seam_share", options.clear_seam_share}});
   require_options(stage, options.ends);
   require_options(stage, options.disproved);
+  require_options(stage, options.moved);
+}
+
+void require_options(const char* stage, const UnconfirmedOptions& options) {
+  require_amounts(stage, {{"cut.moved.unconfirmed.reach", options.reach},
+                          {"cut.moved.unconfirmed.height", options.height},
+                          {"cut.moved.unconfirmed.near", options.near}});
+}
+
+void require_options(const char* stage, const MovedCutOptions& options) {
+  require_amounts(stage, {{"cut.moved.reach", options.reach},
+                          {"cut.moved.unconfirmed_cost", options.unconfirmed_cost}});
+  require_options(stage, options.unconfirmed);
 }
 
 void require_options(const char* stage, const SightOptions& options) {

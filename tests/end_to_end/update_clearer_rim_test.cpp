@@ -51,9 +51,14 @@ TEST(UpdateClearerRim, PocketAmongHoles) {
     return count;
   };
   EXPECT_EQ(left_over({}), 0U);
-  UpdateOptions first;
-  first.cut.clearer_rim = 0;
-  EXPECT_GT(left_over(first), 4U);
+  UpdateOptions by_rim;
+  by_rim.cut.moved.reach = 0;
+  EXPECT_EQ(left_over(by_rim), 0U);
+  by_rim.cut.clearer_rim = 0;
+  EXPECT_GT(left_over(by_rim), 4U);
+  UpdateOptions by_samples;  // the cut moves into the gap
+  by_samples.cut.clearer_rim = 0;
+  EXPECT_EQ(left_over(by_samples), 0U);
 }
 
 }  // namespace

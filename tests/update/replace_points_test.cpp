@@ -267,5 +267,20 @@ TEST(ReplacePoints, InputsOfAnotherModelAreRefused) {
   EXPECT_THROW(scene.replace(), InputError);
 }
 
+// Whatever their regions: one that goes anyway, one in the large region that stays.
+TEST(ReplacePoints, OverlookedVerticesGo) {
+  const ReplacedDisk disk;
+  const std::vector<VertexId> overlooked = {testing::nearest_vertex(disk.model, {1, 1, 0}),
+                                            testing::nearest_vertex(disk.model, {10, 10, 0})};
+  const Replacement before = disk.replace();
+  const Replacement after = disk.replace({.scanned = {.rim_zone = 0}}, overlooked);
+  EXPECT_EQ(before.overlooked, 0U);
+  EXPECT_EQ(after.overlooked, 1U);
+  EXPECT_EQ(after.replaced, before.replaced + 1);
+  EXPECT_EQ(after.kept, before.kept - 1);
+  EXPECT_FALSE(before.point_of_vertex[overlooked[0]].is_none());
+  EXPECT_TRUE(after.point_of_vertex[overlooked[0]].is_none());
+}
+
 }  // namespace
 }  // namespace cocoon

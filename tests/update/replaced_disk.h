@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tests/update/hand_made_models.h"
@@ -28,8 +29,10 @@ struct ReplacedDisk {
     choice.replaced = IdVector<RegionId, std::uint8_t>(regions.regions.size(), 0);
     choice.replaced[regions.group_of_vertex[nearest_vertex(model, {10, 10, 0})]] = 1;
   }
-  Replacement replace(const ReplaceOptions& options = {.scanned = {.rim_zone = 0}}) const {
-    return replace_points(ModelIndex(model), regions, choice, rims, clouds, clouds, options);
+  Replacement replace(const ReplaceOptions& options = {.scanned = {.rim_zone = 0}},
+                      std::span<const VertexId> overlooked = {}) const {
+    return replace_points(ModelIndex(model), regions, choice, rims, clouds, clouds, options,
+                          overlooked);
   }
 };
 

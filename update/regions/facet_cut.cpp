@@ -65,7 +65,7 @@ class Zone {
 };
 
 std::vector<std::uint8_t> cut_zone(const ModelIndex& model, const Zone& zone,
-                                   std::span<const FacetPull> pulls, double steps_per_unit) {
+                                   std::span<const FacetPull> pulls, const EdgeCosts& costs) {
   MaxFlow flow(zone.facets().size());
   for (const FacetPull& p : pulls) {
     if (p.pull > 0) flow.pull_to_source(zone.node_of(p.facet), p.pull);
@@ -73,7 +73,7 @@ std::vector<std::uint8_t> cut_zone(const ModelIndex& model, const Zone& zone,
   }
   zone.visit_edges([&](TriangleId t, std::size_t i, TriangleId next) {
     if (!zone.has(next)) return;
-    flow.add_edge(zone.node_of(t), zone.node_of(next), edge_in_steps(model, t, i, steps_per_unit));
+    flow.add_edge(zone.node_of(t), zone.node_of(next), edge_in_steps(model, t, i, costs));
   });
   return flow.source_side();
 }
@@ -92,61 +92,58 @@ IdVector<RegionId, std::uint8_t> labels_beside(const Regions& rest, const Zone& 
   return labels;
 }
 
-// Of the facets on the source side, in order. None lies between zone and rest, which agree.
-std::vector<Halfedge> halfedges_between(const ModelIndex& model, const TriangleSet& border,
-                                        const Zone& zone, const TriangleSet& source) {
-  std::vector<Halfedge> halfedges;
-  for (const TriangleId t : zone.facets()) {
-    if (source[t] == 0) continue;
-    for (int i = 0; i < 3; ++i) {
-      const TriangleId next = model.neighbors()[t][static_cast<std::size_t>(i)];
-      if (next.is_none() || border[next] != 0 || source[next] != 0) continue;
-      halfedges.push_back(halfedge_of(t, i));
-    }
-  }
-  std::sort(halfedges.begin(), halfedges.end());
-  return halfedges;
-}
-
-FacetCut label_all(const TriangleSet& border, const Zone& zone,
-                   const std::vector<std::uint8_t>& source, const Regions& rest,
-                   const IdVector<RegionId, std::uint8_t>& labels) {
-  FacetCut cut;
-  cut.source = TriangleSet(border.size(), 0);
+TriangleSet label_all(const TriangleSet& border, const Zone& zone,
+                      const std::vector<std::uint8_t>& source, const Regions& rest,
+                      const IdVector<RegionId, std::uint8_t>& labels) {
+  TriangleSet all(border.size(), 0);
   for (const TriangleId t : border.ids()) {
     const RegionId r = rest.region_of_facet[t];
-    if (!r.is_none()) cut.source[t] = labels[r] == 2 ? 1 : 0;
+    if (!r.is_none()) all[t] = labels[r] == 2 ? 1 : 0;
   }
-  for (const TriangleId t : zone.facets()) cut.source[t] = source[zone.node_of(t)];
-  for (const std::uint8_t flag : cut.source) cut.source_facets += flag;
-  return cut;
+  for (const TriangleId t : zone.facets()) all[t] = source[zone.node_of(t)];
+  return all;
 }
 
 }  // namespace
 
 std::int64_t edge_in_steps(const ModelIndex& model, TriangleId t, std::size_t i,
-                           double steps_per_unit) {
-  const double steps = edge_length(model.mesh(), t, i) * steps_per_unit;
+                           const EdgeCosts& costs) {
+  double steps = edge_length(model.mesh(), t, i) * costs.steps_per_unit;
+  const TriangleId next = model.neighbors()[t][i];
+  const bool is_dear = costs.dear != nullptr &&
+                       ((*costs.dear)[t] != 0 || (!next.is_none() && (*costs.dear)[next] != 0));
+  if (is_dear) steps *= costs.dear_factor;
   return std::llround(std::clamp(steps, 1.0, longest_edge));
 }
 
-FacetCut facet_cut(const ModelIndex& model, const TriangleSet& border,
-                   std::span<const FacetPull> pulls, double steps_per_unit,
-                   const FacetCutOptions& options) {
+TriangleSet facet_cut(const ModelIndex& model, const TriangleSet& border,
+                      std::span<const FacetPull> pulls, const EdgeCosts& costs,
+                      const FacetCutOptions& options) {
   Zone zone(model, border, pulls);
   std::size_t steps = options.first_steps;
   for (bool growing = true;; steps *= 2) {
     for (std::size_t k = 0; k < steps && growing; ++k) growing = zone.grow();
-    const std::vector<std::uint8_t> source = cut_zone(model, zone, pulls, steps_per_unit);
+    const std::vector<std::uint8_t> source = cut_zone(model, zone, pulls, costs);
     TriangleSet taken = border;
     for (const TriangleId t : zone.facets()) taken[t] = 1;
     const Regions rest = grow_regions(model, taken);
     const IdVector<RegionId, std::uint8_t> labels = labels_beside(rest, zone, source);
     if (std::count(labels.begin(), labels.end(), 3) > 0) continue;
-    FacetCut cut = label_all(border, zone, source, rest, labels);
-    cut.halfedges = halfedges_between(model, border, zone, cut.source);
-    return cut;
+    return label_all(border, zone, source, rest, labels);
   }
+}
+
+std::vector<Halfedge> halfedges_of_cut(const ModelIndex& model, const TriangleSet& border,
+                                       const TriangleSet& source) {
+  std::vector<Halfedge> halfedges;
+  for (const TriangleId t : members(source)) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const TriangleId next = model.neighbors()[t][i];
+      if (next.is_none() || border[next] != 0 || source[next] != 0) continue;
+      halfedges.push_back(halfedge_of(t, i));
+    }
+  }
+  return halfedges;
 }
 
 }  // namespace cocoon

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "geom/search/nearest_point.h"
+#include "update/cloud/outward_normals.h"
 #include "update/cloud_rim.h"
 #include "update/model/model_index.h"
 #include "update/replace_points.h"
@@ -26,13 +28,16 @@ struct OverlookedOptions {
   double max_kept_share = 0.3;
   // Fewer of them mean nothing: small scans have as many beside their rims.
   std::size_t min_kept = 16;
+  // Those that are overlooked go, if they are many (scanned_again()).
+  bool go = true;
 };
 
 struct OverlookedVertices {
   std::size_t count = 0;
-  std::size_t scanned = 0;  // anew, near the rims or not, whether they stay or go
-  std::size_t kept = 0;     // of these, all that stay
-  VertexId farthest = {};   // of those kept: the one farthest from the rims, of several the first
+  std::vector<VertexId> vertices;  // so many, ascending
+  std::size_t scanned = 0;         // anew, near the rims or not, whether they stay or go
+  std::size_t kept = 0;            // of these, all that stay
+  VertexId farthest = {};  // of those kept: the one farthest from the rims, of several the first
 
   bool are_many(const OverlookedOptions& options) const { return count >= options.min_count; }
   bool are_large_share(const OverlookedOptions& options) const {
@@ -57,5 +62,14 @@ OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacemen
                                        std::span<const CloudRim> rims,
                                        std::span<const NearestPointTree> clouds,
                                        const OverlookedOptions& options = {});
+
+// Of the overlooked vertices of a model those that are the surface that was scanned: whose nearest
+// sample does not face the other way, as that of the far side of a thin wall does. Samples whose
+// normal is not known face no way. clouds[c]: the samples of which outward(c) tells. Complexity:
+// O(k log n) for k vertices, and what `outward` takes. Deterministic. Source: ours, docs/update.md,
+// departure 36.
+std::vector<VertexId> scanned_again(const ModelIndex& model, std::span<const VertexId> overlooked,
+                                    std::span<const NearestPointTree> clouds,
+                                    const OutwardNormals& outward);
 
 }  // namespace cocoon

@@ -181,7 +181,7 @@ std::string warning_of_turned_away(std::span<const RegionVerdict> groups, bool b
 }
 
 std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,
-                                  const OverlookedOptions& options) {
+                                  const OverlookedOptions& options, std::size_t replaced) {
   if (!vertices.are_many(options)) {
     return std::to_string(vertices.kept) + " of " +
            counted(vertices.scanned, "vertex", "vertices") +
@@ -190,8 +190,11 @@ std::string warning_of_overlooked(const OverlookedVertices& vertices, const Poin
            "more densely at sharp edges and thin walls, let the cloud reach farther, and look at "
            "the result";
   }
-  return counted(vertices.count, "vertex of the model stays", "vertices of the model stay") +
-         " in the midst of the new samples, as at " + place_name(at) +
+  const std::string of_them = replaced == vertices.count
+                                  ? ", and go with what was scanned"
+                                  : ", of which " + std::to_string(replaced) + " go";
+  return counted(vertices.count, "vertex of the model lies", "vertices of the model lie") +
+         " in the midst of the new samples, as at " + place_name(at) + of_them +
          ": a part of the rim was not found, or the wrong region "
          "chosen; sample more densely at sharp edges and thin walls, and look at the result";
 }

@@ -73,8 +73,9 @@ std::string warning_of_narrow_margin(double degrees);
 // `by_samples`: they tell which group goes; else angles that differ much do.
 std::string warning_of_turned_away(std::span<const RegionVerdict> groups, bool by_samples);
 // Of the doubtful; `at`: one of them.
+// `replaced`: how many of those that are overlooked go.
 std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,
-                                  const OverlookedOptions& options = {});
+                                  const OverlookedOptions& options = {}, std::size_t replaced = 0);
 std::string warning_of_unused_changes(const UnusedChanges& changes);
 std::string warning_of_contradicted(const ContradictedSamples& samples);
 // More than the rims explain.

@@ -1,5 +1,6 @@
 #include "update/steps/reconstruct_updated.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "update/disproved_facets.h"
 #include "update/model/euler_number.h"
 #include "update/regions/kept_surface.h"
+#include "update/report/overlooked_vertices.h"
 #include "update/report/update_messages.h"
 #include "update/report/updated_vertices.h"
 #include "update/steps/result_doubts.h"
@@ -54,14 +56,34 @@ AddLikely add_seen(const UpdateRun& run) {
       };
 }
 
+// What lies amid new samples although no rim says so goes, too, if it is much.
+void replace(UpdateRun& run, std::span<const CloudRim> rims,
+             std::span<const NearestPointTree> trees) {
+  UpdateResult& result = run.result;
+  const OverlookedOptions& options = run.options.overlooked;
+  const auto without = [&](std::span<const VertexId> overlooked) {
+    return replace_points(*run.index, result.regions, result.choice, rims, run.clouds, run.given,
+                          run.options.replace, overlooked);
+  };
+  result.replacement = without({});
+  result.overlooked = overlooked_vertices(*run.index, result.replacement, rims, trees, options);
+  if (!options.go || !result.overlooked.are_many(options)) return;
+  std::vector<VertexId> overlooked =
+      scanned_again(*run.index, result.overlooked.vertices, trees, run.outward());
+  const std::vector<RegionId>& kept = run.options.overrides.kept;
+  std::erase_if(overlooked, [&](VertexId v) {
+    return std::find(kept.begin(), kept.end(), result.regions.group_of_vertex[v]) != kept.end();
+  });
+  result.replacement = without(overlooked);
+}
+
 }  // namespace
 
 void reconstruct_updated(UpdateRun& run, const UpdateParts& parts, const Execution& execution) {
   UpdateResult& result = run.result;
   const std::vector<CloudRim> rims = border_rims_of(result.clouds);
-  result.replacement = replace_points(*run.index, result.regions, result.choice, rims, run.clouds,
-                                      run.given, run.options.replace);
   const std::vector<NearestPointTree> trees = nearest_point_trees(run.clouds, execution);
+  replace(run, rims, trees);
   const KeptSurface kept(*run.index, result.regions, result.choice, result.replacement,
                          add_seen(run));
   UpdatedSurface surface = parts.reconstruct(result.replacement, kept.told(), execution);

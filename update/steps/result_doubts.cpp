@@ -10,7 +10,6 @@
 #include "update/report/closed_openings.h"
 #include "update/report/contradicted_samples.h"
 #include "update/report/loose_parts.h"
-#include "update/report/overlooked_vertices.h"
 #include "update/report/samples_with_flag.h"
 #include "update/report/unexplained_handles.h"
 #include "update/report/unscanned_losses.h"
@@ -21,13 +20,12 @@
 namespace cocoon {
 namespace {
 
-void enter_overlooked(const ModelIndex& model, const UpdatedClouds& clouds,
-                      const OverlookedOptions& options, UpdateResult& result) {
-  result.overlooked =
-      overlooked_vertices(model, result.replacement, clouds.rims, clouds.trees, options);
+void warn_of_overlooked(const ModelIndex& model, const OverlookedOptions& options,
+                        UpdateResult& result) {
   if (!result.overlooked.is_doubtful(options)) return;
-  result.warnings.push_back(warning_of_overlooked(
-      result.overlooked, model.mesh().points[result.overlooked.farthest], options));
+  result.warnings.push_back(warning_of_overlooked(result.overlooked,
+                                                  model.mesh().points[result.overlooked.farthest],
+                                                  options, result.replacement.overlooked));
 }
 
 // None without a mesh: it is connected (UpdatedSurface).
@@ -103,7 +101,7 @@ void enter_losses(const ModelIndex& model, const UpdatedClouds& clouds, std::spa
 void enter_doubts(const ModelIndex& model, const UpdatedClouds& clouds,
                   const UpdateOptions& options, UpdateResult& result) {
   const std::vector<Scan> scans = scans_of(clouds.samples, result.clouds);
-  enter_overlooked(model, clouds, options.overlooked, result);
+  warn_of_overlooked(model, options.overlooked, result);
   enter_loose_parts(result);
   enter_contradictions(clouds, scans, options.contradicted, result);
   enter_unused_changes(model, clouds, scans, options.unused_changes, result);

@@ -23,7 +23,7 @@ struct UpdatedClouds {
   std::span<const NearestPointTree> trees;      // of the samples
 };
 
-// Looks for vertices of the model that stay amid new samples, parts that hang together with nothing
+// Warns of vertices of the model amid new samples; looks for parts that hang together with nothing
 // of the model, samples that contradict each other, changes that are not on the surface, openings
 // that are closed, handles that nothing explains, and vertices that went though nothing was scanned
 // near them. Enters what is found, the Euler number of the model, too, and a warning for each that

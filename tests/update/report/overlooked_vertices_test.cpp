@@ -1,11 +1,15 @@
 #include "update/report/overlooked_vertices.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
 #include "cocone/reconstruct.h"
 #include "geom/errors.h"
+#include "geom/mesh_check.h"
 #include "io/sample_models.h"
+#include "tests/gallery.h"
 #include "tests/update/hand_made_models.h"
 #include "update/update_model.h"
 
@@ -39,6 +43,9 @@ TEST(OverlookedVertices, ThoseThatStayAmongSamplesFarFromTheRim) {
   ScannedPlane scene;
   ASSERT_EQ(scene.rims[0].median_edge, 1);
   EXPECT_EQ(scene.count(), 25U);  // from 8 to 12
+  const std::vector<VertexId> overlooked = scene.found().vertices;
+  EXPECT_EQ(overlooked.size(), 25U);
+  EXPECT_TRUE(std::is_sorted(overlooked.begin(), overlooked.end()));
   EXPECT_EQ(scene.model.points[scene.found().farthest], (Point{10, 10, 0}));
   EXPECT_EQ(scene.count({.min_rim_distance = 1.5}), 49U);
   EXPECT_EQ(scene.count({.reach = 0.09}), 0U);
@@ -119,8 +126,58 @@ TEST(OverlookedVertices, AreCountedWhereTheScanIsTornAndWarnedOf) {
   UpdateOptions wide;  // so that vertices beside the rim count as well
   wide.overlooked.reach = 3;
   wide.overlooked.min_rim_distance = 0;
+  wide.overlooked.go = false;
   EXPECT_FALSE(warns({}, true));
   EXPECT_TRUE(warns(wide, true));
+}
+
+// The far side of a thin wall is near, too, but faces the other way.
+TEST(OverlookedVertices, WereScannedAgainUnlessTheCloudFacesTheOtherWay) {
+  const ScannedPlane scene;
+  const std::vector<VertexId> overlooked = scene.found().vertices;
+  const std::vector<NearestPointTree> trees = nearest_point_trees(scene.clouds);
+  const auto again = [&](const Vec3& normal) {
+    return scanned_again(scene.index, overlooked, trees, [&](std::size_t c) {
+      return std::vector<Outward>(scene.clouds[c].size(), Outward{normal});
+    });
+  };
+  EXPECT_EQ(again({0, 0, 1}), overlooked);
+  EXPECT_EQ(again({0, 0, 0}), overlooked);  // not known
+  EXPECT_TRUE(again({0, 0, -1}).empty());
+}
+
+// Small groups of samples lie on the model, away from the change, not quite where it is: their
+// surfaces are too small to be looked at, and model and samples would be two layers.
+TEST(OverlookedVertices, GoWhereGroupsOfSamplesLieOnTheModel) {
+  const TriangleMesh model = reconstruct_tight(gallery::even_sphere(3000)).mesh;
+  std::vector<Point> cloud;
+  for (const Point& p : gallery::even_sphere(3100)) {
+    if (p.z > 0.8) cloud.push_back(p.z > 0.9 ? 1.1 * p : p);
+  }
+  std::size_t groups = 0;
+  for (double turn = 0; turn < 6; turn += 0.6) {
+    const Point center = {std::cos(turn), std::sin(turn), 0};
+    for (const Point& p : gallery::even_sphere(3300)) {
+      if (distance(p, center) < 0.1) cloud.push_back(1.01 * p);
+    }
+    ++groups;
+  }
+  const auto updated = [&](bool go) {
+    UpdateOptions options;
+    options.overlooked.go = go;
+    return update_model(model, std::vector<std::vector<Point>>{cloud}, options);
+  };
+  const UpdateResult kept = updated(false);
+  const UpdateResult result = updated(true);
+  ASSERT_EQ(result.status, UpdateStatus::ok);
+  EXPECT_EQ(kept.replacement.overlooked, 0U);
+  EXPECT_GE(result.replacement.overlooked, groups);
+  EXPECT_EQ(result.overlooked.count, kept.overlooked.count);
+  EXPECT_EQ(result.replacement.replaced, kept.replacement.replaced + result.replacement.overlooked);
+  EXPECT_LT(result.reconstruction.unused_points, kept.reconstruction.unused_points);
+  const MeshReport report = mesh_check(result.mesh);
+  EXPECT_TRUE(report.is_closed_manifold());
+  EXPECT_EQ(report.euler, 2);
 }
 
 }  // namespace

@@ -73,10 +73,20 @@ TEST(UpdateMessages, LossesHaveAPlace) {
 }
 
 TEST(UpdateMessages, OverlookedVerticesAreToldByCountOrByShare) {
+  OverlookedVertices found;
+  found.count = 9;
+  found.scanned = 50;
+  found.kept = 30;
   EXPECT_TRUE(
-      says({warning_of_overlooked({.count = 9, .scanned = 50, .kept = 30}, {1, 2, 3})},
-           "9 vertices of the model stay in the midst of the new samples, as at (1, 2, 3)"));
-  EXPECT_TRUE(says({warning_of_overlooked({.count = 2, .scanned = 50, .kept = 30}, {1, 2, 3})},
+      says({warning_of_overlooked(found, {1, 2, 3}, {}, 9)},
+           "9 vertices of the model lie in the midst of the new samples, as at (1, 2, 3), and go "
+           "with what was scanned: a part"));
+  EXPECT_TRUE(
+      says({warning_of_overlooked(found, {1, 2, 3}, {}, 2)},
+           "9 vertices of the model lie in the midst of the new samples, as at (1, 2, 3), of which "
+           "2 go: a part"));
+  found.count = 2;
+  EXPECT_TRUE(says({warning_of_overlooked(found, {1, 2, 3})},
                    "30 of 50 vertices of the model that were scanned anew stay, as at (1, 2, 3): "
                    "the rim runs through the scan"));
 }
