@@ -1,4 +1,5 @@
-// Vertices of the model that stay in the midst of a cloud: a sign that its rim was not found whole.
+// Vertices of the model in the midst of a cloud, of regions that stay: a sign that its rim was not
+// found whole.
 #pragma once
 
 #include <cstddef>
