@@ -24,7 +24,7 @@ void say_certificate(Job& job, const Certificate& certificate, const MeshMeasure
   say("  without a triangle", c.unused_vertices);
   say("  at the place of another one", c.coincident_vertices);
   say("triangles", c.triangles);
-  say("  naming a vertex twice", c.repeated_vertex_triangles + certificate.faces_left_out);
+  say("  naming a vertex twice", c.repeated_vertex_triangles + certificate.repeated_vertex_faces);
   say("  without area", c.zero_area_triangles);
   say("  duplicates", c.duplicate_triangles);
   say("edges", c.edges);
@@ -59,7 +59,7 @@ void add_certificate(JsonReport& report, const Certificate& certificate,
   report.set("surface/unused_vertices", c.unused_vertices);
   report.set("surface/coincident_vertices", c.coincident_vertices);
   report.set("surface/repeated_vertex_triangles",
-             c.repeated_vertex_triangles + certificate.faces_left_out);
+             c.repeated_vertex_triangles + certificate.repeated_vertex_faces);
   report.set("surface/zero_area_triangles", c.zero_area_triangles);
   report.set("surface/duplicate_triangles", c.duplicate_triangles);
   report.set("surface/area", measure.area);
@@ -102,7 +102,8 @@ void run(const CheckArguments& arguments, Job& job) {
     throw InputError(arguments.mesh + ": holds no triangles; a mesh is needed");
   }
   Certificate certificate;
-  certificate.faces_left_out = shape.read.left_out();
+  certificate.repeated_vertex_faces = shape.read.degenerate_triangles;
+  certificate.short_faces = shape.read.short_faces;
   MeshMeasure measure;
   timed(job.execution(), "check", [&] {
     certificate.report = mesh_check(mesh, {}, job.execution());

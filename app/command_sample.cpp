@@ -44,7 +44,7 @@ void run(const SampleArguments& arguments, Job& job) {
   });
 
   for (std::size_t c = model.clouds.size(); std::filesystem::exists(cloud_file(c)); ++c) {
-    job.warn(cloud_file(c) + ": is left from another model; it is no cloud of this one");
+    job.warn(cloud_file(c) + ": is left from another model, and no cloud of this one; remove it");
   }
   std::vector<std::size_t> cloud_sizes;
   for (const auto& cloud : model.clouds) cloud_sizes.push_back(cloud.size());

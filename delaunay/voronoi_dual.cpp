@@ -10,23 +10,17 @@
 #include "delaunay/voronoi/lean_dual.h"
 
 namespace cocoon {
-namespace {
-
-constexpr std::size_t grain = 8192;  // cells per chunk of the parallel loop
-
-}  // namespace
-
 Dual voronoi_dual(const Triangulation& triangulation, const Execution& execution) {
   report_progress(execution, "voronoi_dual", 0);
   Dual dual;
   dual.centers.resize(triangulation.num_cells());
   const std::size_t finite = triangulation.num_finite_cells();
-  std::vector<HardCenters> hard((finite + grain - 1) / grain);
-  parallel_chunks(execution, finite, grain, [&](std::size_t begin, std::size_t end) {
+  std::vector<HardCenters> hard((finite + dual_grain - 1) / dual_grain);
+  parallel_chunks(execution, finite, dual_grain, [&](std::size_t begin, std::size_t end) {
     CellBlock block;
     for (std::size_t first = begin; first < end; first += max_block_cells) {
       const std::size_t count = std::min(max_block_cells, end - first);
-      load_new_run(triangulation, CellId(first), count, block, hard[begin / grain]);
+      load_new_run(triangulation, CellId(first), count, block, hard[begin / dual_grain]);
       for (std::size_t k = 0; k < count; ++k) dual.centers[CellId(first + k)] = block.center(k);
     }
   });

@@ -255,11 +255,10 @@ std::vector<TriangleId> disproved_off_border(const ModelIndex& model, const Tria
   return disproved;
 }
 
-// The cut where the labels no longer have the model go on under the cloud although the scans end on
-// it, and where it has moved.
-RegionCut without_ends(const ModelIndex& model, CutSeeds seeds, RegionCut cut,
-                       std::span<const CloudRim> rims, std::span<const Scan> scans,
-                       const CutOptions& options) {
+// Labels anew where the model goes on under the cloud although the scans end on it.
+void take_out_ends(const ModelIndex& model, std::span<const CloudRim> rims,
+                   std::span<const Scan> scans, const CutOptions& options, CutSeeds& seeds,
+                   RegionCut& cut) {
   const auto is_clear = [&](const CloudRim& rim) {
     return static_cast<double>(rim.seam_edges) <=
            options.clear_seam_share * static_cast<double>(rim.rim_edges);
@@ -279,6 +278,11 @@ RegionCut without_ends(const ModelIndex& model, CutSeeds seeds, RegionCut cut,
     seeds.pull_outside(ends, cut);
     seeds.label(cut);
   }
+}
+
+// What is left to do once it is known who has a say.
+RegionCut settled(const CutSeeds& seeds, std::span<const Scan> scans, const CutOptions& options,
+                  RegionCut cut) {
   seeds.move(scans, options.moved, cut);
   seeds.find_splinters(options.min_outside_facets, cut);
   return cut;
@@ -370,12 +374,15 @@ RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
     RegionCut larger = cut;
     more.pull_under(disproved, larger);
     more.label(larger);
-    larger = without_ends(model, std::move(more), std::move(larger), rims, scans, options);
+    take_out_ends(model, rims, scans, options, more, larger);
     std::vector<TriangleId> more_under = members(larger.under);
     std::erase_if(more_under, [&](TriangleId t) { return cut.under[t] != 0; });
-    if (!reaches_beyond(model, more_under, scans, options.disproved.reach)) return larger;
+    if (!reaches_beyond(model, more_under, scans, options.disproved.reach)) {
+      return settled(more, scans, options, std::move(larger));
+    }
   }
-  return without_ends(model, std::move(seeds), std::move(cut), rims, scans, options);
+  take_out_ends(model, rims, scans, options, seeds, cut);
+  return settled(seeds, scans, options, std::move(cut));
 }
 
 std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,

@@ -8,6 +8,7 @@
 #include "geom/arrays/list_edit.h"
 #include "geom/arrays/sort_ids.h"
 #include "geom/box.h"
+#include "geom/errors.h"
 #include "geom/messages/require_size.h"
 #include "geom/search/equal_points.h"
 #include "geom/search/nearest_point.h"
@@ -220,6 +221,15 @@ void require_inputs(const ModelIndex& index, const Regions& regions, const Regio
   require_size("replace_points", "rims of clouds", rims.size(), clouds.size());
 }
 
+// As scanned_again() gives them.
+void require_ascending(std::span<const VertexId> vertices, std::size_t count) {
+  if (std::is_sorted(vertices.begin(), vertices.end()) &&
+      (vertices.empty() || vertices.back().index() < count)) {
+    return;
+  }
+  throw InputError("replace_points: overlooked vertices are to be ascending, and of the model");
+}
+
 }  // namespace
 
 Replacement replace_points(const ModelIndex& index, const Regions& regions,
@@ -229,6 +239,7 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
                            std::span<const VertexId> overlooked) {
   const TriangleMesh& model = index.mesh();
   require_inputs(index, regions, choice, rims, clouds, options);
+  require_ascending(overlooked, model.points.size());
   Replacement result;
   const RimIndex rim_index(rims);
   const ThinningTest thinning(rims, clouds, options.thinning_distance);

@@ -43,9 +43,10 @@ std::string manifold_failure(const Certificate& c) {
 }
 
 std::string bad_triangles_failure(const Certificate& c) {
-  return fmt::format("{} triangles with a repeated vertex, {} without area, {} duplicates",
-                     c.report.repeated_vertex_triangles + c.faces_left_out,
-                     c.report.zero_area_triangles, c.report.duplicate_triangles);
+  return fmt::format(
+      "{} triangles with a repeated vertex, {} without area, {} duplicates, {} with fewer corners",
+      c.report.repeated_vertex_triangles + c.repeated_vertex_faces, c.report.zero_area_triangles,
+      c.report.duplicate_triangles, c.short_faces);
 }
 
 std::size_t crossing_pairs(const Certificate& c) {
@@ -57,7 +58,8 @@ VertexId first_of(const std::vector<VertexPair>& edges) {
 }
 
 VertexId at_open_edge(const Certificate& c, const TriangleMesh&) {
-  return first_of(c.report.examples.open_edges);
+  const VertexId open = first_of(c.report.examples.open_edges);
+  return open.is_none() ? first_of(c.report.examples.overfull_edges) : open;
 }
 
 VertexId at_overfull_edge(const Certificate& c, const TriangleMesh&) {
@@ -111,8 +113,8 @@ const Requirement requirements[] = {
      [](const Certificate& c) { return fmt::format("{} components", c.report.components); }},
     {"no-bad-triangles",
      [](const Certificate& c) {
-       return c.report.repeated_vertex_triangles + c.faces_left_out + c.report.zero_area_triangles +
-                  c.report.duplicate_triangles ==
+       return c.report.repeated_vertex_triangles + c.repeated_vertex_faces + c.short_faces +
+                  c.report.zero_area_triangles + c.report.duplicate_triangles ==
               0;
      },
      bad_triangles_failure, at_bad_triangle},

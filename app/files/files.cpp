@@ -192,8 +192,7 @@ void require_outputs(Job& job, std::vector<OutputFile> outputs,
     }
     for (const std::string& input : inputs) {
       if (place_of(input) != target) continue;
-      if (input == output.may_replace && extension_of(target) == extension_of(output.path))
-        continue;
+      if (input == output.may_replace && extension_of(input) == extension_of(output.path)) continue;
       throw UsageError(output.path + ": is an input and would be overwritten; name another file");
     }
     targets.push_back(target);

@@ -20,8 +20,8 @@ inline const std::vector<std::string> mesh_extensions = {".ply", ".obj", ".off",
 struct OutputFile {
   std::string path;                          // empty: not wanted
   std::vector<std::string> extensions = {};  // that its format can have; empty: any
-  // The one input that it may be, if it has the same extension there; empty: none. Once that is
-  // read, require_replaceable() is to be asked.
+  // The one input that it may be, if that was named with the same extension, which tells how it is
+  // read; empty: none. Once that is read, require_replaceable() is to be asked.
   std::string may_replace = {};
   bool is_session = false;  // files beside it are its own: FILE.lock, FILE.cloud-K
 };

@@ -59,16 +59,36 @@ std::string pending_cloud_prefix(const std::string& session) {
   return follow_links(session).string() + ".cloud-";
 }
 
-// All that lie beside the session, whatever K.
-std::vector<fs::path> pending_cloud_files(const std::string& session) {
+// The prefix, then digits and nothing else.
+bool is_name_with_number(const std::string& name, const std::string& prefix) {
+  return name.size() > prefix.size() && name.starts_with(prefix) &&
+         name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
+}
+
+// One that lies beside the session. Numbers of any length: a name tells, whoever made it.
+struct FoundCloud {
+  fs::path path;
+  std::string number;  // K without leading zeros
+
+  bool is_behind(const std::string& other) const {
+    return number.size() != other.size() ? number.size() > other.size() : number > other;
+  }
+};
+
+// By the names alone: a folder may be spelled in several ways.
+std::vector<FoundCloud> pending_cloud_files(const std::string& session) {
   const fs::path path = pending_cloud_prefix(session);
+  const std::string prefix = path.filename().string();
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::error_code error;
-  std::vector<fs::path> found;
+  std::vector<FoundCloud> found;
   for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
        entry.increment(error)) {
-    const fs::path file = path.parent_path() / entry->path().filename();
-    if (is_pending_cloud_file(file, session)) found.push_back(file);
+    const std::string name = entry->path().filename().string();
+    if (!is_name_with_number(name, prefix)) continue;
+    std::string number = name.substr(prefix.size());
+    number.erase(0, std::min(number.find_first_not_of('0'), number.size() - 1));
+    found.push_back({path.parent_path() / name, number});
   }
   if (error) {
     throw file_error(folder, "cannot be listed (" + error.message() + "); check the folder");
@@ -79,18 +99,16 @@ std::vector<fs::path> pending_cloud_files(const std::string& session) {
 // Clouds are applied one after the other: where one is missing, those that came after it mean
 // nothing. `notes`: how many there are with all that precede it.
 void require_none_behind(const std::string& session, std::size_t notes) {
-  const std::string missing = pending_cloud_file(session, notes);
-  for (const fs::path& file : pending_cloud_files(session)) {
-    std::string number = file.string().substr(pending_cloud_prefix(session).size());
-    number.erase(0, std::min(number.find_first_not_of('0'), number.size()));
-    const std::string last = std::to_string(notes);
-    const bool is_behind =
-        number.size() != last.size() ? number.size() > last.size() : number > last;
-    if (!is_behind) continue;
-    throw file_error(missing, "is missing, but " + file.string() +
-                                  " follows it; put it there again, or remove all behind it and "
-                                  "put their clouds into the folder again");
+  const std::string missing = std::to_string(notes);
+  std::optional<FoundCloud> next;
+  for (const FoundCloud& file : pending_cloud_files(session)) {
+    if (file.is_behind(missing) && (!next || next->is_behind(file.number))) next = file;
   }
+  if (!next) return;
+  throw file_error(pending_cloud_file(session, notes),
+                   "is missing, but " + next->path.string() +
+                       " follows it; put it there again, or remove all behind it and put their "
+                       "clouds into the folder again");
 }
 
 PendingUpdate load_update(const fs::path& path, std::span<const std::string> notes) {
@@ -168,10 +186,7 @@ void save_pending_clouds(const std::string& session, std::span<const std::string
 }
 
 bool is_pending_cloud_file(const fs::path& path, const std::string& session) {
-  const std::string name = path.string();
-  const std::string prefix = pending_cloud_prefix(session);
-  return name.size() > prefix.size() && name.starts_with(prefix) &&
-         name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
+  return is_name_with_number(path.string(), pending_cloud_prefix(session));
 }
 
 std::vector<PendingUpdate> load_pending_clouds(const std::string& session,
@@ -192,9 +207,9 @@ std::vector<PendingUpdate> load_pending_clouds(const std::string& session,
 
 void remove_pending_clouds(const std::string& session) {
   std::error_code error;
-  for (const fs::path& file : pending_cloud_files(session)) {
-    if (!fs::remove(file, error) && error) {
-      throw file_error(file, "cannot be removed (" + error.message() + "); check the folder");
+  for (const FoundCloud& file : pending_cloud_files(session)) {
+    if (!fs::remove(file.path, error) && error) {
+      throw file_error(file.path, "cannot be removed (" + error.message() + "); check the folder");
     }
   }
 }

@@ -30,7 +30,7 @@ bool have_topology_of(const MeshReport& mesh, const std::vector<Point>& samples,
 // tells of the cells between them.
 KnownLabelsSource conform(Job& job, TriangleMesh mesh, const MeshReport& certificate,
                           double spacing, std::vector<Point>& samples, const Execution& execution) {
-  const KnownLabelsSource labels = labels_told_by(mesh, samples, labels_of_crossing_cells);
+  KnownLabelsSource labels = labels_told_by(mesh, samples, labels_of_crossing_cells);
   if (have_topology_of(certificate, samples, labels, execution)) return labels;
   const ConformingSamples more = conforming_samples(mesh, samples, {.spacing = spacing}, execution);
   job.report().set("input/conforming_samples", more.added.size());

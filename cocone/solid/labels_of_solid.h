@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "cocone/solid/cell_heights.h"
 #include "cocone/known_labels.h"
+#include "cocone/solid/cell_heights.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/ids.h"

@@ -4,12 +4,6 @@
 
 namespace cocoon {
 
-namespace {
-
-constexpr std::size_t grain = 8192;  // cells per chunk of the parallel loop
-
-}  // namespace
-
 void HardCenters::note(CenterLevel level, CellId c) {
   if (level == CenterLevel::doubles) return;
   ++(level == CenterLevel::exact ? exact_centers : facet_fallbacks);
@@ -41,12 +35,12 @@ void append(std::span<const HardCenters> parts, Dual& dual) {
 void find_rays(const Triangulation& triangulation, std::span<Vec3> rays, Dual& dual,
                const Execution& execution) {
   const std::size_t finite = triangulation.num_finite_cells();
-  std::vector<HardCenters> hard((rays.size() + grain - 1) / grain);
-  parallel_chunks(execution, rays.size(), grain, [&](std::size_t begin, std::size_t end) {
+  std::vector<HardCenters> hard((rays.size() + dual_grain - 1) / dual_grain);
+  parallel_chunks(execution, rays.size(), dual_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const CellId c(finite + k);
       const TriangleNormal normal = hull_normal(triangulation, c);
-      hard[begin / grain].note(normal.exact ? CenterLevel::exact : CenterLevel::doubles, c);
+      hard[begin / dual_grain].note(normal.exact ? CenterLevel::exact : CenterLevel::doubles, c);
       rays[k] = normal.direction;
     }
   });

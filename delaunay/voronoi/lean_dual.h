@@ -15,6 +15,8 @@
 
 namespace cocoon {
 
+inline constexpr std::size_t dual_grain = 8192;  // cells per chunk of loops over all of them
+
 // Noted down of successive cells by who computes their centers.
 struct HardCenters {
   std::size_t exact_centers = 0;  // these two as in Dual

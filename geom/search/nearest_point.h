@@ -1,6 +1,7 @@
 // The point of a set closest to a given point.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -52,6 +53,7 @@ class NearestPointTree {
 
   // Of all points.
   Box box() const { return tree_.box(); }
+  std::size_t size() const { return points_.size(); }
 
  private:
   BoxTree tree_;

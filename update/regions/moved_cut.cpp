@@ -12,7 +12,8 @@ namespace cocoon {
 
 namespace {
 
-// More than all edges near a cut cost, and so little that a million of them fit into 62 bits.
+// More than the three edges of a facet, 2^40 each: so none around changes sides. A million of them
+// fit into the 62 bits of facet_cut().
 constexpr std::int64_t fixed_pull = std::int64_t{1} << 42;
 
 // Both facets at each edge of the cut.

@@ -26,7 +26,8 @@ struct MovedCutOptions {
 // old surface then. Where samples lie on the model, old and new surface are the same on both sides
 // of the cut, so it does not matter where it runs; among samples that lie beside it, it does. That
 // the others keep their labels matters: with such costs for all of the cut a rim that tells little
-// would be outvoted.
+// would be outvoted. (Near the cut any facet that pulls may be: it may be there that a rim is
+// wrong.)
 // Errors: InputError for options out of range, and for labels of another model, by their size.
 // Complexity: O(facets of the model) for flags, and what unconfirmed_facets() and facet_cut() take
 // for the facets near the cut. Deterministic. Source: ours, docs/update.md, departure 35.

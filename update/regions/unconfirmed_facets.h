@@ -1,4 +1,5 @@
-// Facets of the model among samples none of which lies on them: they are not what was scanned.
+// Facets of the model near samples the nearest of which does not lie on them: they are not what was
+// scanned.
 #pragma once
 
 #include <span>

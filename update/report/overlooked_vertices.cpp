@@ -1,7 +1,5 @@
 #include "update/report/overlooked_vertices.h"
 
-#include <limits>
-
 #include "geom/messages/require_size.h"
 #include "update/cloud/rim_index.h"
 #include "update/cloud/scanned_places.h"
@@ -40,29 +38,6 @@ OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacemen
     found.farthest = v;
   });
   return found;
-}
-
-std::vector<VertexId> scanned_again(const ModelIndex& model, std::span<const VertexId> overlooked,
-                                    std::span<const NearestPointTree> clouds,
-                                    const OutwardNormals& outward) {
-  std::vector<std::vector<Outward>> normals;
-  for (std::size_t c = 0; c < clouds.size(); ++c) normals.push_back(outward(c));
-  std::vector<VertexId> again;
-  for (const VertexId v : overlooked) {
-    const Point& p = model.mesh().points[v];
-    double least = std::numeric_limits<double>::infinity();
-    Vec3 facing;
-    for (std::size_t c = 0; c < clouds.size(); ++c) {
-      const NearestPoint nearest = clouds[c].nearest(p);
-      if (!(nearest.squared_distance < least)) continue;
-      least = nearest.squared_distance;
-      facing = normals[c][nearest.point.index()].normal;
-    }
-    Vec3 sum;
-    model.for_each_triangle_at(v, [&](TriangleId t) { sum = sum + model.normal(t); });
-    if (dot(sum, facing) >= 0) again.push_back(v);
-  }
-  return again;
 }
 
 }  // namespace cocoon

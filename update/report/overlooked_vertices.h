@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "geom/search/nearest_point.h"
-#include "update/cloud/outward_normals.h"
 #include "update/cloud_rim.h"
 #include "update/model/model_index.h"
 #include "update/replace_points.h"
@@ -18,7 +17,8 @@ struct OverlookedOptions {
   // A vertex has been scanned anew if a sample is as close as this share of the median edge of the
   // cloud's surface. (ScannedOptions::sample_reach is a share of the model's spacing.)
   double reach = 0.36;
-  // It is overlooked if it stays and is farther from the rims than this many of these edges.
+  // It is overlooked if regions keep it and it is farther from the rims than this many of these
+  // edges.
   double min_rim_distance = 3;
   // Fewer of them mean nothing: a thin wall, a fold of the rim. Measured on scans of parts: 0 to 6
   // after updates that went right, 15 to 250 where a part of the cloud lay on a region that stayed.
@@ -29,7 +29,7 @@ struct OverlookedOptions {
   double max_kept_share = 0.3;
   // Fewer of them mean nothing: small scans have as many beside their rims.
   std::size_t min_kept = 16;
-  // Those that are overlooked go, if they are many (scanned_again()).
+  // Those that are overlooked go, if they are many (scanned_again.h).
   bool go = true;
 };
 
@@ -63,14 +63,5 @@ OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacemen
                                        std::span<const CloudRim> rims,
                                        std::span<const NearestPointTree> clouds,
                                        const OverlookedOptions& options = {});
-
-// Of the overlooked vertices of a model those that are the surface that was scanned: whose nearest
-// sample does not face the other way, as that of the far side of a thin wall does. Samples whose
-// normal is not known face no way. clouds[c]: the samples of which outward(c) tells. Complexity:
-// O(k log n) for k vertices, and what `outward` takes. Deterministic. Source: ours, docs/update.md,
-// departure 36.
-std::vector<VertexId> scanned_again(const ModelIndex& model, std::span<const VertexId> overlooked,
-                                    std::span<const NearestPointTree> clouds,
-                                    const OutwardNormals& outward);
 
 }  // namespace cocoon

@@ -190,7 +190,8 @@ std::string warning_of_overlooked(const OverlookedVertices& vertices, const Poin
            "more densely at sharp edges and thin walls, let the cloud reach farther, and look at "
            "the result";
   }
-  const std::string of_them = replaced == vertices.count
+  const std::string of_them = replaced == 0 ? ", and stay"
+                              : replaced == vertices.count
                                   ? ", and go with what was scanned"
                                   : ", of which " + std::to_string(replaced) + " go";
   return counted(vertices.count, "vertex of the model lies", "vertices of the model lie") +

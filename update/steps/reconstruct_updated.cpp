@@ -8,6 +8,7 @@
 #include "update/disproved_facets.h"
 #include "update/model/euler_number.h"
 #include "update/regions/kept_surface.h"
+#include "update/regions/scanned_again.h"
 #include "update/report/overlooked_vertices.h"
 #include "update/report/update_messages.h"
 #include "update/report/updated_vertices.h"

@@ -27,8 +27,9 @@ TriangleMesh fan(const std::vector<bool>& upward) {
   return mesh;
 }
 
-std::string failure(const char* word, const TriangleMesh& mesh, std::size_t faces_left_out = 0) {
-  Certificate certificate{mesh_check(mesh), faces_left_out, {}};
+std::string failure(const char* word, const TriangleMesh& mesh,
+                    std::size_t repeated_vertex_faces = 0) {
+  Certificate certificate{mesh_check(mesh), repeated_vertex_faces, 0, {}};
   if (needs_self_intersections({word})) certificate.self_intersections = self_intersection(mesh);
   const std::vector<std::string> failures = failed_requirements({word}, certificate, mesh);
   return failures.empty() ? "" : failures[0];
@@ -75,12 +76,12 @@ TEST(CheckRequirements, BadTrianglesOfTheFileCount) {
   EXPECT_EQ(failure("no-bad-triangles", fan({true})), "");
   EXPECT_EQ(failure("no-bad-triangles", fan({true}), 2),
             "fails no-bad-triangles (2 triangles with a repeated vertex, 0 without area, 0 "
-            "duplicates)");
+            "duplicates, 0 with fewer corners)");
   TriangleMesh twice = fan({true});
   twice.triangles.push_back(twice.triangles[TriangleId(0)]);
   EXPECT_EQ(failure("no-bad-triangles", twice),
             "fails no-bad-triangles (0 triangles with a repeated vertex, 0 without area, 1 "
-            "duplicates, as near (0, 0, 0))");
+            "duplicates, 0 with fewer corners, as near (0, 0, 0))");
 }
 
 TEST(CheckRequirements, CrossingTrianglesHaveAPlace) {

@@ -94,6 +94,12 @@ TEST(PendingClouds, AMissingOneIsNamed) {
     folder.write(std::filesystem::path(file).filename().string(), bytes);
   }
   EXPECT_EQ(load_pending_clouds(session, notes).size(), 3U);
+  // However the folder is spelled.
+  const std::string spelled = (folder / "").string() + "/./s";
+  std::filesystem::remove(pending_cloud_file(session, 1));
+  EXPECT_THROW(load_pending_clouds(spelled, notes), FileError);
+  save(folder, {refused});
+  EXPECT_EQ(load_pending_clouds(spelled, notes).size(), 3U);
   // Those before are in the session already.
   const std::vector<std::string> more = {"model", "two", "three", "and four"};
   EXPECT_EQ(load_pending_clouds(session, more).size(), 1U);
@@ -102,6 +108,8 @@ TEST(PendingClouds, AMissingOneIsNamed) {
   // By numbers, not by letters.
   std::vector<std::string> many(10, "note");
   EXPECT_EQ(load_pending_clouds(session, many).size(), 0U);
+  remove_pending_clouds(spelled);
+  EXPECT_FALSE(std::filesystem::exists(pending_cloud_file(session, 1)));
 }
 
 // These had no number of clouds.

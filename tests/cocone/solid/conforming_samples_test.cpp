@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "cocone/reconstruct.h"
 #include "cocone/solid/cell_heights.h"
 #include "cocone/solid/labels_of_solid.h"
-#include "cocone/reconstruct.h"
 #include "delaunay/delaunay.h"
 #include "geom/errors.h"
 #include "geom/mesh/dense_samples.h"

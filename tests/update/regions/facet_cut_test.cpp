@@ -1,5 +1,6 @@
 #include "update/regions/facet_cut.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 

@@ -131,21 +131,6 @@ TEST(OverlookedVertices, AreCountedWhereTheScanIsTornAndWarnedOf) {
   EXPECT_TRUE(warns(wide, true));
 }
 
-// The far side of a thin wall is near, too, but faces the other way.
-TEST(OverlookedVertices, WereScannedAgainUnlessTheCloudFacesTheOtherWay) {
-  const ScannedPlane scene;
-  const std::vector<VertexId> overlooked = scene.found().vertices;
-  const std::vector<NearestPointTree> trees = nearest_point_trees(scene.clouds);
-  const auto again = [&](const Vec3& normal) {
-    return scanned_again(scene.index, overlooked, trees, [&](std::size_t c) {
-      return std::vector<Outward>(scene.clouds[c].size(), Outward{normal});
-    });
-  };
-  EXPECT_EQ(again({0, 0, 1}), overlooked);
-  EXPECT_EQ(again({0, 0, 0}), overlooked);  // not known
-  EXPECT_TRUE(again({0, 0, -1}).empty());
-}
-
 // Small groups of samples lie on the model, away from the change, not quite where it is: their
 // surfaces are too small to be looked at, and model and samples would be two layers.
 TEST(OverlookedVertices, GoWhereGroupsOfSamplesLieOnTheModel) {
