@@ -235,17 +235,6 @@ void settle_standard_output(UpdateArguments& update) {
   }
 }
 
-void refuse_contradictory_groups(const UpdateArguments& update) {
-  for (const std::uint32_t group : update.kept_groups) {
-    const auto& replaced = update.replaced_groups;
-    if (std::find(replaced.begin(), replaced.end(), group) == replaced.end()) continue;
-    throw UsageError(
-        fmt::format("group {} is in --keep-groups and in --replace-groups; leave it out of one of "
-                    "them",
-                    group));
-  }
-}
-
 // Of the positional arguments the first is the model, unless a session has it. `command`: update.
 void settle_model(const CLI::App& command, UpdateArguments& update) {
   if (!update.session.empty()) {
@@ -384,7 +373,6 @@ Request parse_command_line(int argc, const char* const* argv) {
     if (auto* update = std::get_if<UpdateArguments>(&line.command)) {
       settle_model(*app.get_subcommand(UpdateArguments::command), *update);
       settle_standard_output(*update);
-      refuse_contradictory_groups(*update);
     }
     require_possible_options(line.command);
   } catch (const CLI::CallForVersion& version) {

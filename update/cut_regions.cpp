@@ -81,7 +81,6 @@ class CutSeeds {
   // Anew with each call.
   void label(RegionCut& cut) const {
     cut.under = facet_cut(model_, border_, pulls_, costs_);
-    cut.under_facets = members(cut.under).size();
     cut.cut_edges = 0;
     cut.cut_length = cut.contradicted = 0;
     for (const FacetPull& p : pulls_) {
@@ -101,7 +100,6 @@ class CutSeeds {
   void move(std::span<const Scan> scans, const MovedCutOptions& options, RegionCut& cut) const {
     cut.under = moved_cut(model_, border_, pulls_, costs_.steps_per_unit, std::move(cut.under),
                           scans, options);
-    cut.under_facets = members(cut.under).size();
   }
 
  private:
@@ -284,6 +282,7 @@ void take_out_ends(const ModelIndex& model, std::span<const CloudRim> rims,
 RegionCut settled(const CutSeeds& seeds, std::span<const Scan> scans, const CutOptions& options,
                   RegionCut cut) {
   seeds.move(scans, options.moved, cut);
+  cut.under_facets = members(cut.under).size();
   seeds.find_splinters(options.min_outside_facets, cut);
   return cut;
 }

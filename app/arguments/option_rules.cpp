@@ -1,5 +1,7 @@
 #include "app/arguments/option_rules.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <string>
@@ -103,6 +105,17 @@ void require_use_of_filter(const CloudFilterArguments& arguments) {
   if (!given.empty()) throw UsageError(fmt::format("{} needs --noise robust", given.front()));
 }
 
+void require_possible_groups(const UpdateArguments& arguments) {
+  for (const std::uint32_t group : arguments.kept_groups) {
+    const auto& replaced = arguments.replaced_groups;
+    if (std::find(replaced.begin(), replaced.end(), group) == replaced.end()) continue;
+    throw UsageError(
+        fmt::format("group {} is in --keep-groups and in --replace-groups; leave it out of one of "
+                    "them",
+                    group));
+  }
+}
+
 // The map names vertices of the mesh by number.
 void require_rules(const UpdateArguments& arguments) {
   if (!arguments.map.empty() && format_of(arguments.mesh) == FileFormat::stl) {
@@ -110,6 +123,7 @@ void require_rules(const UpdateArguments& arguments) {
                      ": STL does not keep the numbers of vertices that --map writes; use .ply, "
                      ".obj or .off, or leave out --map");
   }
+  require_possible_groups(arguments);
   require_use_of_filter(arguments.filter);
 }
 

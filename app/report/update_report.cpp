@@ -164,7 +164,7 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/enclosed_replaced", replacement.enclosed_replaced);
   report.set("update/scanned_replaced", replacement.scanned_replaced);
   report.set("update/unscanned_kept", replacement.unscanned_kept);
-  report.set("update/overlooked", result.overlooked.count);
+  report.set("update/overlooked", result.overlooked.vertices.size());
   report.set("update/overlooked_replaced", replacement.overlooked);
   report.set("update/rescanned", result.overlooked.scanned);
   report.set("update/rescanned_kept", result.overlooked.kept);

@@ -29,10 +29,7 @@ OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacemen
     ++found.kept;
     const RimSide side = rim_index.side_of(p);
     const double edges = side.distance / rims[side.rim].median_edge;
-    if (edges > options.min_rim_distance) {
-      ++found.count;
-      found.vertices.push_back(v);
-    }
+    if (edges > options.min_rim_distance) found.vertices.push_back(v);
     if (!(edges > farthest)) return;
     farthest = edges;
     found.farthest = v;

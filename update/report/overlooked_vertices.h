@@ -34,13 +34,14 @@ struct OverlookedOptions {
 };
 
 struct OverlookedVertices {
-  std::size_t count = 0;
-  std::vector<VertexId> vertices;  // so many, ascending
+  std::vector<VertexId> vertices;  // ascending
   std::size_t scanned = 0;         // anew, near the rims or not, whether they stay or go
-  std::size_t kept = 0;            // of these, all that stay
+  std::size_t kept = 0;            // of these, all that regions keep
   VertexId farthest = {};  // of those kept: the one farthest from the rims, of several the first
 
-  bool are_many(const OverlookedOptions& options) const { return count >= options.min_count; }
+  bool are_many(const OverlookedOptions& options) const {
+    return vertices.size() >= options.min_count;
+  }
   bool are_large_share(const OverlookedOptions& options) const {
     return kept >= options.min_kept &&
            static_cast<double>(kept) > options.max_kept_share * static_cast<double>(scanned);

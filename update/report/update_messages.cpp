@@ -191,10 +191,11 @@ std::string warning_of_overlooked(const OverlookedVertices& vertices, const Poin
            "the result";
   }
   const std::string of_them = replaced == 0 ? ", and stay"
-                              : replaced == vertices.count
+                              : replaced == vertices.vertices.size()
                                   ? ", and go with what was scanned"
                                   : ", of which " + std::to_string(replaced) + " go";
-  return counted(vertices.count, "vertex of the model lies", "vertices of the model lie") +
+  return counted(vertices.vertices.size(), "vertex of the model lies",
+                 "vertices of the model lie") +
          " in the midst of the new samples, as at " + place_name(at) + of_them +
          ": a part of the rim was not found, or the wrong region "
          "chosen; sample more densely at sharp edges and thin walls, and look at the result";

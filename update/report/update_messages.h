@@ -72,8 +72,7 @@ std::string warning_of_shared_regions(std::size_t regions);
 std::string warning_of_narrow_margin(double degrees);
 // `by_samples`: they tell which group goes; else angles that differ much do.
 std::string warning_of_turned_away(std::span<const RegionVerdict> groups, bool by_samples);
-// Of the doubtful; `at`: one of them.
-// `replaced`: how many of those that are overlooked go.
+// Of the doubtful; `at`: one of them; `replaced`: how many of those that are overlooked go.
 std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,
                                   const OverlookedOptions& options = {}, std::size_t replaced = 0);
 std::string warning_of_unused_changes(const UnusedChanges& changes);

@@ -5,21 +5,14 @@
 #include <vector>
 
 #include "geom/random/random.h"
-#include "tests/update/hand_made_models.h"
+#include "tests/update/plane_to_cut.h"
 
 namespace cocoon {
 namespace {
 
-constexpr std::size_t side = 40;
-constexpr double steps = 1024;
-
-struct Plane {
-  TriangleMesh mesh = testing::grid_plane(side);
-  ModelIndex model{mesh};
-  TriangleSet border = TriangleSet(mesh.triangles.size(), 0);
-
-  TriangleId at(std::size_t x, std::size_t y) const { return TriangleId(2 * (y * side + x)); }
-};
+using Plane = testing::PlaneToCut;
+constexpr std::size_t side = Plane::side;
+constexpr double steps = Plane::steps;
 
 // A wall with a door: the cut is the door, 3 wide, however far the walls reach.
 TEST(FacetCut, ClosesAGapTheShortestWay) {

@@ -8,20 +8,17 @@
 #include <vector>
 
 #include "geom/errors.h"
-#include "tests/update/hand_made_models.h"
+#include "tests/update/plane_to_cut.h"
 
 namespace cocoon {
 namespace {
 
-constexpr std::size_t side = 40;
-constexpr double steps = 1024;
+constexpr std::size_t side = testing::PlaneToCut::side;
+constexpr double steps = testing::PlaneToCut::steps;
 
 // A plane of unit squares cut at x = 20, between facets that pull at 5 and at 35. It was scanned
 // where it is from `from` to `to`, and lies 2 below the samples in front of that.
-struct CutPlane {
-  TriangleMesh mesh = testing::grid_plane(side);
-  ModelIndex model{mesh};
-  TriangleSet border = TriangleSet(mesh.triangles.size(), 0);
+struct CutPlane : testing::PlaneToCut {
   TriangleSet source = TriangleSet(mesh.triangles.size(), 0);
   std::vector<FacetPull> pulls;
   std::vector<Point> samples;
@@ -36,8 +33,6 @@ struct CutPlane {
       for (double y = 0.25; y < side; y += 0.5) samples.push_back({x, y, x < from ? 2.0 : 0.0});
     }
   }
-  TriangleId at(std::size_t x, std::size_t y) const { return TriangleId(2 * (y * side + x)); }
-
   // Where the cut is: the least and the largest x of its facets.
   std::pair<double, double> place(const MovedCutOptions& options = {}) const {
     const Scan scan{samples, 1};

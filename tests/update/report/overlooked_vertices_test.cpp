@@ -33,7 +33,9 @@ struct ScannedPlane {
       replacement.point_of_vertex.push_back(PointId(v.index()));
     }
   }
-  std::size_t count(const OverlookedOptions& options = {}) const { return found(options).count; }
+  std::size_t count(const OverlookedOptions& options = {}) const {
+    return found(options).vertices.size();
+  }
   OverlookedVertices found(const OverlookedOptions& options = {}) const {
     return overlooked_vertices(index, replacement, rims, nearest_point_trees(clouds), options);
   }
@@ -157,7 +159,7 @@ TEST(OverlookedVertices, GoWhereGroupsOfSamplesLieOnTheModel) {
   ASSERT_EQ(result.status, UpdateStatus::ok);
   EXPECT_EQ(kept.replacement.overlooked, 0U);
   EXPECT_GE(result.replacement.overlooked, groups);
-  EXPECT_EQ(result.overlooked.count, kept.overlooked.count);
+  EXPECT_EQ(result.overlooked.vertices, kept.overlooked.vertices);
   EXPECT_EQ(result.replacement.replaced, kept.replacement.replaced + result.replacement.overlooked);
   EXPECT_LT(result.reconstruction.unused_points, kept.reconstruction.unused_points);
   const MeshReport report = mesh_check(result.mesh);

@@ -74,7 +74,7 @@ TEST(UpdateMessages, LossesHaveAPlace) {
 
 TEST(UpdateMessages, OverlookedVerticesAreToldByCountOrByShare) {
   OverlookedVertices found;
-  found.count = 9;
+  found.vertices.resize(9);
   found.scanned = 50;
   found.kept = 30;
   EXPECT_TRUE(
@@ -85,7 +85,7 @@ TEST(UpdateMessages, OverlookedVerticesAreToldByCountOrByShare) {
       says({warning_of_overlooked(found, {1, 2, 3}, {}, 2)},
            "9 vertices of the model lie in the midst of the new samples, as at (1, 2, 3), of which "
            "2 go: a part"));
-  found.count = 2;
+  found.vertices.resize(2);
   EXPECT_TRUE(says({warning_of_overlooked(found, {1, 2, 3})},
                    "30 of 50 vertices of the model that were scanned anew stay, as at (1, 2, 3): "
                    "the rim runs through the scan"));
