@@ -57,9 +57,12 @@ VertexId first_of(const std::vector<VertexPair>& edges) {
   return edges.empty() ? VertexId() : edges.front()[0];
 }
 
-VertexId at_open_edge(const Certificate& c, const TriangleMesh&) {
-  const VertexId open = first_of(c.report.examples.open_edges);
-  return open.is_none() ? first_of(c.report.examples.overfull_edges) : open;
+// Or an edge of three triangles, or five; not if there are edges of four, too, since it is not
+// known which the examples are.
+VertexId at_odd_edge(const Certificate& c, const TriangleMesh&) {
+  if (c.report.open_edges > 0) return first_of(c.report.examples.open_edges);
+  return c.report.overfull_edges == c.report.odd_edges ? first_of(c.report.examples.overfull_edges)
+                                                       : VertexId();
 }
 
 VertexId at_overfull_edge(const Certificate& c, const TriangleMesh&) {
@@ -95,9 +98,9 @@ VertexId at_crossing(const Certificate& c, const TriangleMesh& mesh) {
 
 const Requirement requirements[] = {
     {"closed", [](const Certificate& c) { return c.report.watertight; }, edges_failure,
-     at_open_edge},
+     at_odd_edge},
     {"watertight", [](const Certificate& c) { return c.report.watertight; }, edges_failure,
-     at_open_edge},
+     at_odd_edge},
     {"manifold",
      [](const Certificate& c) { return c.report.edge_manifold && c.report.vertex_manifold; },
      manifold_failure, at_contact},

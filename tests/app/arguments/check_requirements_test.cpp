@@ -47,6 +47,36 @@ TEST(CheckRequirements, ClosedCountsWhatLeavesAMeshOpen) {
       "not watertight (8 open edges, 0 others with an odd number of triangles, as near (0, 0, 0))");
 }
 
+// Two tetrahedra on both sides of a triangle that is there once; then two more with an edge in
+// common, which has four triangles and leaves nothing open.
+TEST(CheckRequirements, ClosedTellsOnlyOfOddEdges) {
+  const auto v = [](std::size_t i) { return VertexId(i); };
+  TriangleMesh mesh;
+  mesh.points = IdVector<VertexId, Point>(
+      std::vector<Point>{{5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {5, 0, 1}, {5, 0, -1}});
+  mesh.triangles.push_back({v(0), v(1), v(2)});
+  const auto add_tent = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t tip) {
+    mesh.triangles.push_back({v(a), v(b), v(tip)});
+    mesh.triangles.push_back({v(b), v(c), v(tip)});
+    mesh.triangles.push_back({v(c), v(a), v(tip)});
+  };
+  add_tent(0, 1, 2, 3);
+  add_tent(0, 1, 2, 4);
+  EXPECT_EQ(failure("closed", mesh),
+            "not closed (0 open edges, 3 others with an odd number of triangles, as near "
+            "(5, 0, 0))");
+  for (const Point& p : {Point{0, 0, 0}, Point{0, 0, 1}, Point{1, 0, 0}, Point{0, 1, 0},
+                         Point{-1, 0, 0}, Point{0, -1, 0}}) {
+    mesh.points.push_back(p);
+  }
+  for (const std::size_t at : {7U, 9U}) {
+    mesh.triangles.push_back({v(5), v(6), v(at)});
+    add_tent(5, 6, at, at + 1);
+  }
+  EXPECT_EQ(failure("closed", mesh),
+            "not closed (0 open edges, 3 others with an odd number of triangles)");
+}
+
 TEST(CheckRequirements, OrientedDoesNotCountOpenEdges) {
   EXPECT_EQ(failure("oriented", fan({true, false})), "");
   EXPECT_EQ(failure("oriented", fan({true, true})),
