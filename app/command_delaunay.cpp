@@ -17,6 +17,7 @@ void add_counters(JsonReport& report, const DelaunayCounters& counters) {
   report.set("delaunay/counters/walk_steps", counters.walk_steps);
   report.set("delaunay/counters/conflict_tests", counters.conflict_tests);
   report.set("delaunay/counters/cells_created", counters.cells_created);
+  report.set("delaunay/counters/wide_inspheres", counters.wide_inspheres);
   report.set("delaunay/counters/exact_inspheres", counters.exact_inspheres);
   report.set("delaunay/counters/perturbed_inspheres", counters.perturbed_inspheres);
 }

@@ -133,6 +133,7 @@ DelaunayCounters& DelaunayCounters::operator+=(const DelaunayCounters& other) {
   conflict_tests += other.conflict_tests;
   cells_created += other.cells_created;
   cells_deleted += other.cells_deleted;
+  wide_inspheres += other.wide_inspheres;
   exact_inspheres += other.exact_inspheres;
   perturbed_inspheres += other.perturbed_inspheres;
   retries += other.retries;

@@ -21,8 +21,9 @@ struct DelaunayCounters {
   std::size_t conflict_tests = 0;  // cells tested against a new point's position
   std::size_t cells_created = 0;   // over the whole build
   std::size_t cells_deleted = 0;
-  std::size_t exact_inspheres = 0;      // conflict tests that the filter left open
-  std::size_t perturbed_inspheres = 0;  // known by the filter to be zero, left to the perturbation
+  std::size_t wide_inspheres = 0;       // conflict tests decided by pairs of doubles
+  std::size_t exact_inspheres = 0;      // that these left open, too
+  std::size_t perturbed_inspheres = 0;  // known by either to be zero, left to the perturbation
   // With several threads:
   std::size_t retries = 0;      // points put off, since another thread was at work there
   std::size_t stolen_runs = 0;  // runs of points that a thread without work took from another

@@ -18,6 +18,7 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   const auto set = [&report](const char* name, std::size_t value) {
     report.set(std::string("counters/") + name, value);
   };
+  set("wide_inspheres", c.delaunay.wide_inspheres);
   set("exact_inspheres", c.delaunay.exact_inspheres);
   set("perturbed_inspheres", c.delaunay.perturbed_inspheres);
   set("hull_vertices", c.hull_vertices);

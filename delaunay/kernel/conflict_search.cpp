@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "delaunay/kernel/filter_bounds.h"
 #include "geom/exact/common_unit.h"
 #include "geom/insphere.h"
 #include "geom/lanes/vector_dispatch.h"
@@ -20,7 +21,7 @@ struct SearchView {
   const Cell* cells;
   CellMark* marks;
   const double* coordinates;
-  double exact_reach;
+  ExactReaches reaches;
   Point p;
   const IdVector<VertexId, Point>& points;
   DelaunayCounters& counters;
@@ -50,23 +51,6 @@ struct SearchView {
   }
 };
 
-// The loops compute what insphere_filter and orient3d_filter do, but round only once where a
-// product is added: each error that is missing can only tighten the bounds that are derived there.
-//
-// The filters of the loops bound X, Y, Z, the largest |difference| on each axis, by the root of L,
-// the largest squared length, which is at hand: sqrt(L) (1 + 2 u) is at least each, u = 2^-53. So
-// by the derivations in geom/insphere.h and geom/orient3d.h the errors are below 384.02 u L^(5/2)
-// and 48.02 u L^(3/2). What is compared are squares, value^2 > coefficient L^5 + smallest; rounding
-// them costs less than 8 u, for which 385 and 49 have room. If L overflows, or its power does, the
-// bound is infinite and decides nothing; if it does not, neither does the value. If L is so small,
-// below 2^-180, that underflow might count, |value| is below 24.1 L^(5/2) or 6.1 L^(3/2), and its
-// square below `smallest`.
-constexpr double square(double a) { return a * a; }
-inline constexpr double insphere_coefficient = square(385 * 0x1p-53);
-inline constexpr double insphere_smallest = 0x1p-890;
-inline constexpr double orient3d_coefficient = square(49 * 0x1p-53);
-inline constexpr double orient3d_smallest = 0x1p-534;
-
 }  // namespace cocoon
 #endif
 
@@ -75,7 +59,7 @@ inline constexpr double orient3d_smallest = 0x1p-534;
 #define HWY_TARGET_INCLUDE "delaunay/kernel/conflict_search.cpp"
 #include <hwy/foreach_target.h>
 // clang-format off: must come after foreach_target.h
-#include "geom/lanes/four_lanes-inl.h"
+#include "delaunay/kernel/neighbor_tests-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
@@ -87,37 +71,6 @@ HWY_INLINE bool has_infinite(const std::array<VertexId, 4>& vertices, VertexId f
   return ((vertices[0].value | vertices[1].value | vertices[2].value | vertices[3].value |
            fifth.value) >>
           31) != 0;
-}
-
-// One bit for each facet of a cell, about the cell behind it.
-struct NeighborDecision {
-  unsigned inside;     // its circumsphere contains the point; only for cells that are not open
-  unsigned open;       // neither filter nor perturbation can tell, or the cell is infinite
-  unsigned on_sphere;  // certainly: the point lies on the circumsphere of a finite cell
-};
-
-// Points, each with the coefficient of its lift in the determinant of insphere.
-struct Lifted {
-  FourVectors point;
-  Four coefficient;
-};
-
-// The same as break_cospherical_tie, in each lane: the sign of the coefficient of the lift that is
-// raised most, that of the point of highest lexicographic rank. Zero if the next rank decides. All
-// is relative to the point that is new, whose own coefficient is negative.
-HWY_INLINE Four perturbed_value(const std::array<Lifted, 4>& corners) {
-  const Four zero = broadcast(0);
-  Lifted top{{zero, zero, zero}, broadcast(-1)};
-  for (const Lifted& corner : corners) {
-    const FourVectors& v = corner.point;
-    const FourVectors& t = top.point;
-    const FourMask above = either(
-        greater(v.x, t.x),
-        both(equal(v.x, t.x), either(greater(v.y, t.y), both(equal(v.y, t.y), greater(v.z, t.z)))));
-    top = {{choose(above, v.x, t.x), choose(above, v.y, t.y), choose(above, v.z, t.z)},
-           choose(above, corner.coefficient, top.coefficient)};
-  }
-  return top.coefficient;
 }
 
 // Puts another vertex in the place of that at infinity, whether it is the last corner or an apex.
@@ -136,9 +89,15 @@ HWY_INLINE unsigned replace_infinite(const Cell& cell, VertexId& last,
   return infinite;
 }
 
-// The four cells around a cell in SIMD lanes, lane i behind its facet i. They share three vertices
-// each with it, and with each other many of the 2 x 2 minors. `apexes` are the fourth vertices. The
-// expression is that of insphere_filter, of the facet's corners and then the apex.
+HWY_INLINE NeighborPoints load_neighbors(const SearchView& view, const Cell& cell, VertexId last,
+                                         const std::array<VertexId, 4>& apexes) {
+  return {load_points(view.point(cell.vertices[0]), view.point(cell.vertices[1]),
+                      view.point(cell.vertices[2]), view.point(last)),
+          load_points(view.point(apexes[0]), view.point(apexes[1]), view.point(apexes[2]),
+                      view.point(apexes[3]))};
+}
+
+// The cells behind the facets of a cell, of which `apexes` are the fourth vertices.
 HWY_INLINE NeighborDecision decide_neighbors(SearchView& view, const Cell& cell,
                                              const std::array<VertexId, 4>& apexes,
                                              const FourVectors& origin) {
@@ -149,55 +108,25 @@ HWY_INLINE NeighborDecision decide_neighbors(SearchView& view, const Cell& cell,
     view.has_infinite = true;
     infinite = replace_infinite(cell, last, tips);
   }
-  const FourVectors v = load_points(view.point(cell.vertices[0]), view.point(cell.vertices[1]),
-                                    view.point(cell.vertices[2]), view.point(last)) -
-                        origin;
-  const FourVectors s = load_points(view.point(tips[0]), view.point(tips[1]), view.point(tips[2]),
-                                    view.point(tips[3])) -
-                        origin;
-  // Corners (1, 2, 3), (2, 3, 0), (3, 0, 1), (0, 1, 2): every second is a reflection.
-  const FourVectors p = rotate<1>(v);
-  const FourVectors q = rotate<2>(v);
-  const FourVectors r = rotate<3>(v);
-  const Four vv = squared_norm(v);
-  const Four pp = rotate<1>(vv);
-  const Four qq = rotate<2>(vv);
-  const Four rr = rotate<3>(vv);
-  const Four ss = squared_norm(s);
-  const Four pq = minor_xy(p, q);
-  const Four pr = minor_xy(p, r);
-  const Four ps = minor_xy(p, s);
-  const Four qr = rotate<1>(pq);
-  const Four qs = minor_xy(q, s);
-  const Four rs = minor_xy(r, s);
-  const Four qrs = alternating_sum(q.z, rs, r.z, qs, s.z, qr);
-  const Four prs = alternating_sum(p.z, rs, r.z, ps, s.z, pr);
-  const Four pqs = alternating_sum(p.z, qs, q.z, ps, s.z, pq);
-  const Four pqr = alternating_sum(p.z, qr, q.z, pr, r.z, pq);
-  const Four value =
-      alternate_signs(multiply_subtract(pp, qrs, qq * prs) + multiply_subtract(rr, pqs, ss * pqr));
-  const Four reach = larger(larger(pp, qq), larger(rr, ss));
-  const Four reach_2 = reach * reach;
-  const Four error_2 =
-      broadcast(insphere_coefficient) * (reach_2 * reach_2 * reach) + broadcast(insphere_smallest);
-  const unsigned certain = is_greater(value * value, error_2);
-  const unsigned inside = is_greater(value, broadcast(0));
-  NeighborDecision decision{inside, (~certain & 0xFU) | infinite, 0};
-  if (decision.open == 0) [[likely]]
-    return decision;
-  // Where the value is exact, so are its cofactors and the differences of coordinates.
-  const unsigned exact = ~(is_greater(reach, broadcast(view.exact_reach)) | infinite) & 0xFU;
-  if ((decision.open & exact) != 0) {
-    const unsigned zero = ~(inside | is_greater(broadcast(0), value));
-    const Four zero_minus = broadcast(0);
-    const Four tie_break = perturbed_value(
-        {Lifted{p, alternate_signs(qrs)}, Lifted{q, zero_minus - alternate_signs(prs)},
-         Lifted{r, alternate_signs(pqs)}, Lifted{s, zero_minus - alternate_signs(pqr)}});
-    decision.on_sphere = exact & zero;
-    decision.inside |= decision.on_sphere & is_greater(tie_break, broadcast(0));
-    decision.open &= ~exact | (zero & bits_of(equal(tie_break, broadcast(0))));
-  }
-  return decision;
+  return test_neighbors(load_neighbors(view, cell, last, tips), origin, infinite,
+                        view.reaches.filter);
+}
+
+// `decision` where it is unsure. Out of line, and all is read once more, so that the loop around it
+// has the registers.
+HWY_NOINLINE NeighborDecision decide_unsure(const SearchView& view, const Cell& cell,
+                                            NeighborDecision decision) {
+  std::array<VertexId, 4> tips;
+  for (std::size_t i = 0; i < 4; ++i) tips[i] = view.apex(cell.neighbors[i]);
+  VertexId last = cell.vertices[3];
+  replace_infinite(cell, last, tips);
+  const FourVectors origin{broadcast(view.p.x), broadcast(view.p.y), broadcast(view.p.z)};
+  const NeighborDecision again = test_again(load_neighbors(view, cell, last, tips), origin,
+                                            decision.unsure, view.reaches.wide);
+  view.counters.wide_inspheres +=
+      static_cast<std::size_t>(std::popcount(decision.unsure & ~again.open));
+  return {(decision.inside & ~decision.unsure) | again.inside,
+          (decision.open & ~decision.unsure) | again.open, decision.on_sphere | again.on_sphere, 0};
 }
 
 // Bit i to byte i.
@@ -237,6 +166,8 @@ bool search_zone(SearchView& view, ConflictZone& zone, CellId start) {
     NeighborDecision decision = decide_neighbors(view, cell, apexes, origin);
     decision.open &= ~known;
     if ((decision.open | decision.on_sphere) != 0) [[unlikely]] {
+      decision.unsure &= ~known;
+      if (decision.unsure != 0) decision = decide_unsure(view, cell, decision);
       view.counters.perturbed_inspheres +=
           static_cast<std::size_t>(std::popcount(decision.on_sphere & ~known));
       decision.inside = view.decide_open(outer, decision.inside, decision.open, decision.on_sphere);
@@ -417,20 +348,6 @@ ZoneLists ConflictZone::grow() {
 
 // --- The searches -----------------------------------------------------------------------------
 
-namespace {
-
-// If all coordinates are multiples of `unit`, so are the differences, and every intermediate value
-// of the determinant is an integer multiple of a power of it. The largest, the sums of the four
-// summands, stay below 24 L^(5/2) for the largest squared length L, so they are exact up to
-// 2^53 unit^5: for L <= 2^19 unit^2 they are below 2^(47.5 + 4.6) unit^5. Negative, so that nothing
-// is exact, if there is no unit, or one so extreme that powers of it may under- or overflow.
-double largest_exact_reach(double unit) {
-  if (!(unit > 0x1p-100 && unit < 0x1p100)) return -1;
-  return 0x1p19 * (unit * unit);
-}
-
-}  // namespace
-
 ConflictSearch::ConflictSearch(CellPool& pool, const IdVector<VertexId, Point>& points,
                                const Execution& execution)
     : pool_(pool), points_(points) {
@@ -439,15 +356,15 @@ ConflictSearch::ConflictSearch(CellPool& pool, const IdVector<VertexId, Point>& 
 
 void ConflictSearch::read_points_again(const Execution& execution) {
   unit_ = common_unit(points_.span(), execution);
-  exact_reach_ = largest_exact_reach(unit_);
+  reaches_ = exact_reaches(unit_);
 }
 
 void ConflictSearch::admit(const Point& p) {
-  if (exact_reach_ < 0) return;
+  if (reaches_.filter < 0) return;
   const double unit = common_unit(p);
   if (unit == 0 || unit >= unit_) return;  // the origin is on every grid
   unit_ = unit;
-  exact_reach_ = largest_exact_reach(unit);
+  reaches_ = exact_reaches(unit);
 }
 
 SearchView ConflictSearch::view(const Point& p, DelaunayCounters& counters) {
@@ -455,7 +372,7 @@ SearchView ConflictSearch::view(const Point& p, DelaunayCounters& counters) {
   return {pool_.cells.raw().data(),
           pool_.marks.raw().data(),
           &points_.raw().data()->x,
-          exact_reach_,
+          reaches_,
           p,
           points_,
           counters,

@@ -7,6 +7,7 @@
 
 #include "delaunay/delaunay.h"
 #include "delaunay/kernel/cell_pool.h"
+#include "delaunay/kernel/filter_bounds.h"
 #include "delaunay/kernel/vertex_claims.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
@@ -85,11 +86,11 @@ class ConflictSearch {
 
   // Finds all cells in conflict with p, where `start` is one: a set connected by facets. They are
   // marked; who fills the hole takes the marks away. Around each cell found the four cells behind
-  // its facets are tested at once in SIMD lanes, by the determinant of insphere (geom/insphere.h)
-  // with a bound of its own; the value is also known to be exact where it is small in units of a
-  // grid on which all points lie; exact predicates decide the rest. The instruction set is chosen
-  // at run time; the result, order included, is the same on all. Beside others: false if another
-  // thread is in the way; then nothing is marked. Complexity: O(size of the zone).
+  // its facets are tested at once in SIMD lanes, by the determinant of insphere (geom/insphere.h),
+  // in doubles and where these cannot tell in pairs of them (delaunay/kernel/filter_bounds.h);
+  // exact predicates decide the rest. The instruction set is chosen at run time; the result, order
+  // included, is the same on all. Beside others: false if another thread is in the way; then
+  // nothing is marked. Complexity: O(size of the zone).
   bool find_zone(const Point& p, CellId start, DelaunayCounters& counters);
 
   // Takes the marks of the zone away. Complexity: O(size of the zone).
@@ -106,7 +107,7 @@ class ConflictSearch {
   ConflictZone zone_;
   ClaimHolder* holder_ = nullptr;  // not owned; null: there is one thread
   double unit_ = 0;                // all coordinates are multiples of it; 0: nothing is known
-  double exact_reach_ = 0;  // insphere's determinant is exact while no squared length is larger
+  ExactReaches reaches_;
 };
 
 }  // namespace cocoon

@@ -3,6 +3,7 @@
 #include "delaunay/kernel/conflict_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 #include <vector>
@@ -104,11 +105,43 @@ TEST(ConflictSearch, AgreesWithThePredicatesAroundTheBoundOfInsphere) {
       five[4] = (1 + step * random.uniform(0, 1e4) * 0x1p-53) * on_sphere;
       FiveCells cells(five);
       cells.search();
-      ++(cells.counters().exact_inspheres > 0 ? left_open : decided);
+      ++(cells.counters().wide_inspheres > 0 ? left_open : decided);
     }
   }
   EXPECT_GT(left_open, 400U);
   EXPECT_GT(decided, 400U);
+}
+
+// Five integer points on a sphere of radius 7 * 2^exponent, the last moved by `off`.
+std::array<Point, 5> points_on_large_sphere(int exponent, double off) {
+  std::array<Point, 5> five = {Point{2, 3, 6}, {-6, 2, 3}, {3, -6, 2}, {-2, -3, -6}, {6, 3, -2}};
+  const Vec3 to_odd{1, 0, 0};  // so that they lie on no coarser grid
+  for (Point& p : five) p = std::ldexp(1, exponent) * p + to_odd;
+  five[4].x += off;
+  return five;
+}
+
+// What doubles cannot tell pairs of them can; that it is a tie, too, if the sphere is not too large
+// in units of the grid.
+TEST(ConflictSearch, AgreesWithThePredicatesOnLargeSpheresOfIntegers) {
+  for (int exponent = 1; exponent <= 40; ++exponent) {
+    SCOPED_TRACE(exponent);
+    FiveCells tie(points_on_large_sphere(exponent, 0));
+    tie.search();
+    if (exponent <= 12) {
+      EXPECT_GT(tie.counters().perturbed_inspheres, 0U);
+      EXPECT_EQ(tie.counters().exact_inspheres, 0U);
+    } else if (exponent >= 15) {
+      EXPECT_EQ(tie.counters().perturbed_inspheres, 0U);
+      EXPECT_GT(tie.counters().exact_inspheres, 0U);
+    }
+    for (const double off : {-1.0, 1.0}) {
+      FiveCells near(points_on_large_sphere(exponent, off));
+      near.search();
+      EXPECT_EQ(near.counters().perturbed_inspheres, 0U);
+      EXPECT_EQ(near.counters().exact_inspheres, 0U);
+    }
+  }
 }
 
 // The same for the sides of the walk: the fifth point moves through the plane of a facet.
@@ -139,6 +172,7 @@ TEST(ConflictSearch, IsTheSameOnEveryInstructionSet) {
       const DelaunayResult actual = delaunay(points);
       EXPECT_EQ(actual.triangulation.cell_records(), expected.triangulation.cell_records());
       EXPECT_EQ(actual.counters.walk_steps, expected.counters.walk_steps);
+      EXPECT_EQ(actual.counters.wide_inspheres, expected.counters.wide_inspheres);
       EXPECT_EQ(actual.counters.exact_inspheres, expected.counters.exact_inspheres);
     }
     chosen_instruction_set().Update(instruction_sets());
