@@ -7,6 +7,7 @@
 
 #include "delaunay/kernel/filter_bounds.h"
 #include "geom/exact/common_unit.h"
+#include "geom/exact/predicate_levels.h"
 #include "geom/insphere.h"
 #include "geom/lanes/vector_dispatch.h"
 #include "geom/orient3d.h"
@@ -291,7 +292,7 @@ bool SearchView::in_conflict(const Cell& cell) const {
   const Point& c = points[finite->vertices[2]];
   const Point& d = points[finite->vertices[3]];
   const Sign sign =
-      is_infinite(cell) ? insphere(a, b, c, d, p) : insphere_after_filter(a, b, c, d, p);
+      is_infinite(cell) ? insphere(a, b, c, d, p) : insphere_on_grid(a, b, c, d, p).sign;
   return (sign != Sign::zero ? sign : break_cospherical_tie(a, b, c, d, p)) == Sign::positive;
 }
 
