@@ -38,6 +38,10 @@ void add_stages_of_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
       app, "--no-deferred-seeding", arguments.deferred_seeding,
       "Peel what no mark has reached, as published, instead of marking it from its widest opening")
       ->group(stages);
+  add_switch_off(app, "--no-second-look", arguments.second_look,
+                 "Take the first surface, also where samples contradict each other about what is "
+                 "inside; so does --radius")
+      ->group(stages);
   add_switch_off(app, "--no-clean-up", arguments.clean_up, "Leave the surface as the peel left it")
       ->group(stages);
   for (const ThresholdUse use :

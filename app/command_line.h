@@ -87,6 +87,7 @@ struct ReconstructArguments {
   SurfaceArguments parameters;
   std::optional<RadiusMode> radius;          // as of boundary
   bool deferred_seeding = true;              // of the peel, in robust mode
+  bool second_look = true;                   // in robust mode, with the default radius
   bool cavities = false;                     // kept, in robust mode
   bool clean_up = true;                      // after the peel, in robust mode
   bool noise_keep_good = true;               // of the noise filter

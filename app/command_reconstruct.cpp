@@ -52,6 +52,7 @@ StageOptions options_of(const ReconstructArguments& arguments) {
                                                               : open_cloud_defaults());
   if (arguments.radius) options.surface.boundary.radius_mode = *arguments.radius;
   options.surface.peel.deferred_seeding = arguments.deferred_seeding;
+  options.surface.second_look.enabled = arguments.second_look && !arguments.radius;
   options.surface.clean_up.enabled = arguments.clean_up;
   options.surface.keep_cavities = arguments.cavities;
   options.noise.keep_good = arguments.noise_keep_good;
@@ -77,6 +78,7 @@ void add_stages(JsonReport& report, const ReconstructArguments& arguments,
   add_thresholds(report, ThresholdUse::clean_up, options);
   const ReconstructOptions effective = effective_options(options.surface);
   report.set("parameters/deferred_seeding", effective.peel.deferred_seeding);
+  report.set("parameters/second_look", effective.second_look.enabled);
   report.set("parameters/cavities", effective.keep_cavities);
   report.set("parameters/clean_up", effective.clean_up.enabled);
 }

@@ -106,6 +106,7 @@ void DynamicTightCocone::State::take(const ReconstructResult& result, Reconstruc
   look_for_certificate(result, stages.surface);
   if (!certified.exists() && result.status == SurfaceStatus::ok) {
     kept.start(*LentDelaunay(delaunay, vertex_of_point), stages, execution);
+    if (result.counters.second_look != 0) kept.body.clear();  // it is that of the first
   }
 }
 
@@ -114,9 +115,10 @@ void DynamicTightCocone::State::look_for_certificate(const ReconstructResult& re
                                                      const CoconeSurface& surface) {
   kept.first_walk = surface.first_walk;
   const ReconstructCounters& counters = result.counters;
-  const bool hopeful = result.status == SurfaceStatus::ok && counters.surface_walks == 1 &&
-                       counters.back_contacts == 0 && counters.poor_cells == 0 &&
-                       counters.unvisited_vertices == 0 && counters.marking_rounds == 0;
+  const bool hopeful = counters.second_look == 0 && result.status == SurfaceStatus::ok &&
+                       counters.surface_walks == 1 && counters.back_contacts == 0 &&
+                       counters.poor_cells == 0 && counters.unvisited_vertices == 0 &&
+                       counters.marking_rounds == 0;
   if (hopeful && certified.certify(delaunay, candidates, surface)) kept.clear();
 }
 
@@ -296,10 +298,8 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points, con
         }};
     result = reconstruct_tight_from(*lent, std::move(found), points, labels_of(old), options,
                                     execution, live, surface);
-    if (!asked) {
-      kept.marks.clear();
-      kept.body.clear();
-    }
+    if (!asked) kept.marks.clear();
+    if (!asked || result.counters.second_look != 0) kept.body.clear();
   }
   if (!surface.triangles.facets.empty())
     kept.links.keep(std::move(surface.triangles), std::move(surface.rest));

@@ -14,13 +14,17 @@ ReconstructOptions effective_options(ReconstructOptions options) {
   require_options("reconstruct", options.prune);
   require_options("reconstruct", options.good_vertices);
   require_options("reconstruct", options.clean_up);
-  require_shares("reconstruct", {{"max_contradicted_likely", options.max_contradicted_likely}});
+  require_shares("reconstruct",
+                 {{"max_contradicted_likely", options.max_contradicted_likely},
+                  {"second_look.max_conflict_share", options.second_look.max_conflict_share}});
   if (options.mode == Mode::paper) {
     options.boundary.radius_mode = RadiusMode::cocone;
     options.peel.deferred_seeding = false;
+    options.second_look.enabled = false;
     options.keep_cavities = false;
     options.clean_up.enabled = false;
   }
+  if (!options.clean_up.enabled) options.second_look.enabled = false;
   return options;
 }
 

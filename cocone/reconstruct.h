@@ -13,6 +13,7 @@
 #include "cocone/known_labels.h"
 #include "cocone/peel_cells.h"
 #include "cocone/prune_sharp_edges.h"
+#include "cocone/second_look.h"
 #include "cocone/umbrella.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/triangulation.h"
@@ -32,8 +33,8 @@ enum class SurfaceStatus {
 };
 
 enum class Mode {
-  paper,   // as published: radius_mode = cocone, no deferred seeding, no cavities, no clean-up,
-           // whatever the options say
+  paper,   // as published: radius_mode = cocone, no deferred seeding, no second look, no cavities,
+           // no clean-up, whatever the options say
   robust,  // the options as they are
 };
 
@@ -47,6 +48,8 @@ struct ReconstructOptions {
   GoodVertexOptions good_vertices = {};
   PeelOptions peel = {};
   CleanUpOptions clean_up = {};  // reconstruct_tight, robust mode only
+  // reconstruct_tight, robust mode only, and only if radius_mode is tangent_plane.
+  SecondLookOptions second_look = {};
   // reconstruct_tight, robust mode only: whether closed surfaces inside the body bound hollows of
   // it (open_cavities, after the clean-up). False, as in the paper: they are left out.
   bool keep_cavities = false;
@@ -108,6 +111,10 @@ struct ReconstructCounters {
   std::size_t refuted_vertices = 0;
   std::size_t poor_cells = 0;
   std::size_t deferred_seeds = 0;
+  // If there was a second look (second_look.h): the conflicts of the first, and 1 if all else here
+  // is of the second, which was taken.
+  std::size_t first_conflicts = 0;
+  std::size_t second_look = 0;
   CleanUpCounters clean_up;
   CavityCounters cavities;
 };
@@ -137,7 +144,8 @@ struct ReconstructResult {
 // even number of triangles, as many in one direction as in the other; `mesh` is closed, or empty
 // with the status that says why. Presumes samples of closed surfaces: an open cloud is closed
 // somehow. Progress: "delaunay", "poles", "cocone/cones", "boundary",
-// "cocone/surface", "tight", and "verify" if asked for.
+// "cocone/surface", "tight", "second_look" (with the others below it) where marks contradict each
+// other, and "verify" if asked for.
 // Coordinates of any finite size: beyond 2^100 or below 2^-100 the work is done on a copy scaled by
 // a power of two, which changes nothing else.
 // Errors: InputError as delaunay(), and if that scaling would lose bits: coordinates beyond 2^100
@@ -163,7 +171,7 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
 // fewer samples are unused then, or fewer vertices contradicted, and where the surface would touch
 // itself they yield to good vertices (yielded_cells). What is likely (KnownLabels::likely) is taken
 // for known, too, if the surface contradicts it otherwise, and is no rougher then
-// (marking/likely_labels.h): in that case all after the extraction is done two or three times.
+// (checks/surface_roughness.h): in that case all after the extraction is done two or three times.
 // Where nothing is in doubt, and marks reach every good vertex, `known` is not asked; nor is it in
 // paper mode. It is asked once at most. If nothing else is in doubt than vertices that no mark
 // reaches, only what is likely counts.

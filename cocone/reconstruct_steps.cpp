@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cocone/candidate_triangles.h"
+#include "cocone/checks/surface_roughness.h"
 #include "cocone/checks/verify_surface.h"
 #include "cocone/clean_up_cells.h"
 #include "cocone/cocones.h"
@@ -17,6 +18,7 @@
 #include "cocone/orient_surface.h"
 #include "cocone/peel_cells.h"
 #include "cocone/prune_sharp_edges.h"
+#include "cocone/second_look.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/require_points.h"
 #include "geom/errors.h"
@@ -134,12 +136,11 @@ void ReconstructSteps::extract_from(KnownCandidates candidates) {
 
 void ReconstructSteps::close_surface(const KnownLabelsSource& known) {
   if (boundary_.interior() == 0) return deliver({});
-  std::optional<KnownLabels> told;
   KnownLabelsSource source;
   if (known && options_.mode != Mode::paper) {
     source = [&](const auto&... asked) {
-      if (!told) told = known(asked...);
-      return *told;
+      if (!told_) told_ = known(asked...);
+      return *told_;
     };
   }
   run_step(execution_, "tight", [&](const Execution& nested) {
@@ -153,6 +154,34 @@ void ReconstructSteps::close_surface(const KnownLabelsSource& known) {
     if (!source) forget_links();
     if (stages_ != nullptr) stages_->marks = marks;
     close_by(std::move(marks), source, nested);
+  });
+}
+
+void ReconstructSteps::look_again(const KnownLabelsSource& known) {
+  const std::size_t first_conflicts = result_.counters.marking_conflicts;
+  if (!is_contradictory(first_conflicts) || result_.status != SurfaceStatus::ok) return;
+  result_.counters.first_conflicts = first_conflicts;
+  const double first_cost = cost_of_result();
+  if (first_cost <= cost_of({.parts = 1}, options_.clean_up)) return;  // none is less
+  ReconstructOptions options = options_;
+  options.boundary.radius_mode = RadiusMode::cocone;
+  options.verify = false;
+  run_step(execution_, "second_look", [&](const Execution& nested) {
+    ReconstructSteps again(points_, options, nested);
+    again.refer_to(*triangulation_);
+    again.told_ = std::move(told_);
+    again.find_poles();
+    again.build_surface();
+    again.close_surface(known);
+    ReconstructResult& second = again.result_;
+    if (second.status != SurfaceStatus::ok || second.counters.marking_conflicts >= first_conflicts)
+      return;
+    if (again.cost_of_result() >= first_cost) return;
+    second.counters.delaunay = result_.counters.delaunay;
+    second.counters.first_conflicts = first_conflicts;
+    second.counters.second_look = 1;
+    result_ = std::move(second);
+    triangulation_vertex_ = std::move(again.triangulation_vertex_);
   });
 }
 
@@ -179,6 +208,7 @@ ReconstructResult ReconstructSteps::tight_result(const KnownLabelsSource& known)
   find_poles();
   build_surface();
   close_surface(known);
+  look_again(known);
   verify(true);
   return take_result();
 }
@@ -223,6 +253,15 @@ void ReconstructSteps::count_surface() {
   counters.surface_triangles = surface_.halves.size();
   counters.surface_walks = surface_.walks;
   counters.back_contacts = surface_.back_contacts;
+}
+
+bool ReconstructSteps::is_contradictory(std::size_t conflicts) const {
+  return options_.boundary.radius_mode == RadiusMode::tangent_plane &&
+         cocoon::is_contradictory(options_.second_look, conflicts, result_.vertices);
+}
+
+double ReconstructSteps::cost_of_result() const {
+  return cost_of(surface_roughness(result_.mesh, result_.vertices, execution_), options_.clean_up);
 }
 
 CellMarks ReconstructSteps::mark_by_caller(const KnownLabelsSource& known,
@@ -283,7 +322,7 @@ void ReconstructSteps::heed_likely(const KnownLabels& told, bool in_doubt, Attem
   counters.contradicted_likely = contradicted();
   if (!are_too_many(counters.contradicted_likely)) return;
   const auto roughness = [&](const Attempt& of) {
-    return surface_roughness(surface_between(*triangulation_, of.body.marks, execution),
+    return surface_roughness(surface_between(*triangulation_, of.body.marks, execution).mesh,
                              result_.vertices, execution);
   };
   SurfaceRoughness least = roughness(best);
@@ -388,8 +427,9 @@ ReconstructSteps::Body ReconstructSteps::clean_up(CellMarks marks,
 
 void ReconstructSteps::deliver(Body body, const Execution& execution) {
   CellMarks& marks = body.marks;
-  if (live_ != nullptr &&
-      live_->take_body(*triangulation_, marks.reached, is_flawed(body.clean_up))) {
+  // A second look needs the mesh.
+  const bool is_to_be_seen = is_flawed(body.clean_up) || is_contradictory(marks.conflicts);
+  if (live_ != nullptr && live_->take_body(*triangulation_, marks.reached, is_to_be_seen)) {
     result_.status = SurfaceStatus::ok;
   } else {
     deliver(surface_between(*triangulation_, marks, execution));

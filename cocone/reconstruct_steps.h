@@ -1,6 +1,10 @@
 // The steps of one reconstruction, which the compositions take from the first to the last.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 #include "cocone/boundary_samples.h"
 #include "cocone/cell_marks.h"
 #include "cocone/extract_manifold.h"
@@ -21,8 +25,8 @@
 namespace cocoon {
 
 // First a triangulation: triangulate(), take() or refer_to(). Then tight_result(); or find_poles(),
-// build_surface(), deliver_open_surface() and verify(false); or extract_from(), close_surface() and
-// verify(true). At last take_result(), unless a step has returned it.
+// build_surface(), deliver_open_surface() and verify(false); or extract_from(), close_surface(),
+// look_again() and verify(true). At last take_result(), unless a step has returned it.
 // Errors and complexity: those of the compositions (reconstruct.h, reconstruct_stages.h).
 class ReconstructSteps {
  public:
@@ -53,6 +57,10 @@ class ReconstructSteps {
 
   void close_surface(const KnownLabelsSource& known);
 
+  // The second look (second_look.h), if there is to be one. If what it finds is taken, all that
+  // take_surface() and the stages get stays that of the first.
+  void look_again(const KnownLabelsSource& known);
+
   void deliver_open_surface();
 
   // If asked for; what is refuted is taken back.
@@ -69,6 +77,10 @@ class ReconstructSteps {
   void require_exact(double scale) const;
 
   void count_surface();
+
+  // Whether a second look follows marks with so many conflicts.
+  bool is_contradictory(std::size_t conflicts) const;
+  double cost_of_result() const;
 
   CellMarks mark_by_caller(const KnownLabelsSource& known, const Execution& execution) const;
 
@@ -137,6 +149,7 @@ class ReconstructSteps {
   BoundarySamples boundary_;
   const LiveStages* live_ = nullptr;  // none: mark_cells, and a mesh
   ManifoldSurface surface_;
+  std::optional<KnownLabels> told_;                    // once they were asked for
   VertexSet good_;                                     // as the marks had them
   IdVector<VertexId, VertexId> triangulation_vertex_;  // of each vertex of the result
   double scale_ = 1;

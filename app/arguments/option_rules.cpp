@@ -44,6 +44,7 @@ void require_possible_noise_filter(const ReconstructArguments& arguments) {
 std::vector<std::string> of_tight_stages(const ReconstructArguments& arguments) {
   std::vector<std::string> names;
   if (!arguments.deferred_seeding) names.push_back("--no-deferred-seeding");
+  if (!arguments.second_look) names.push_back("--no-second-look");
   if (!arguments.clean_up) names.push_back("--no-clean-up");
   append_given(ThresholdUse::tight, arguments.thresholds, names);
   append_given(ThresholdUse::clean_up, arguments.thresholds, names);

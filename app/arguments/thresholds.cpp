@@ -17,13 +17,18 @@ using enum ThresholdUse;
 using Options = StageOptions;
 using Field = Threshold::Field;
 
-constexpr std::array<Threshold, 3> of_marking{{
+constexpr std::array<Threshold, 5> of_marking{{
     {"keep-angle", "Pruning: two triangles at an edge, flatter than this dihedral angle, stay", 0,
      180, angle, cocone, [](Options& o) -> Field { return &o.surface.prune.keep_cosine; }},
     {"fold-angle", "Marking: a dihedral angle of at most this makes both ends of an edge poor", 0,
      180, angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.fold_cosine; }},
     {"crease-angle", "Marking: one below this makes those ends poor that are boundary samples", 0,
      180, angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
+    {"second-look-conflicts", "Second look: there is one if marks contradict each other more often",
+     0, 4e9, whole, tight,
+     [](Options& o) -> Field { return &o.surface.second_look.max_conflicts; }},
+    {"second-look-share", "Second look: and more often than this share of the samples", 0, 1,
+     number, tight, [](Options& o) -> Field { return &o.surface.second_look.max_conflict_share; }},
 }};
 
 constexpr std::array<Threshold, 24> of_clean_up{{

@@ -14,6 +14,38 @@ namespace cocoon::app {
 
 namespace {
 
+void add_clean_up_counters(JsonReport& report, const CleanUpCounters& c) {
+  const auto set = [&report](const char* name, std::size_t value) {
+    report.set(std::string("counters/clean_up/") + name, value);
+  };
+  set("undecided_cells", c.undecided_cells);
+  set("thin_cells", c.thin_cells);
+  set("left_cells", c.left_cells);
+  set("flat_cells", c.flat_cells);
+  set("relabeled_cells", c.relabeled_cells);
+  set("filled_cells", c.filled_cells);
+  set("moves", c.moves);
+  set("moved_cells", c.moved_cells);
+  set("large_stars", c.large_stars);
+  set("clusters", c.clusters);
+  set("cluster_cells", c.cluster_cells);
+  set("large_clusters", c.large_clusters);
+  set("dropped_components", c.dropped_components);
+  set("compound_moves", c.compound_moves);
+  set("compound_cells", c.compound_cells);
+  set("closed_handles", c.closed_handles);
+  set("closing_cells", c.closing_cells);
+  set("large_handles", c.large_handles);
+  set("changed_cells", c.changed_cells);
+  set("defects_before", c.defects_before);
+  set("defects_after", c.defects_after);
+  set("unused_before", c.unused_before);
+  set("unused_after", c.unused_after);
+  set("outliers", c.outliers);
+  set("idle_before", c.idle_before);
+  set("idle_after", c.idle_after);
+}
+
 void add_counters(JsonReport& report, const ReconstructCounters& c) {
   const auto set = [&report](const char* name, std::size_t value) {
     report.set(std::string("counters/") + name, value);
@@ -40,38 +72,15 @@ void add_counters(JsonReport& report, const ReconstructCounters& c) {
   set("unvisited_vertices", c.unvisited_vertices);
   set("marking_rounds", c.marking_rounds);
   set("marking_conflicts", c.marking_conflicts);
+  set("first_conflicts", c.first_conflicts);
+  set("second_look", c.second_look);
   set("known_cells", c.known_cells);
   set("refuted_vertices", c.refuted_vertices);
   set("poor_cells", c.poor_cells);
   set("deferred_seeds", c.deferred_seeds);
   set("cavities", c.cavities.cavities);
   set("cavity_cells", c.cavities.cells);
-  set("clean_up/undecided_cells", c.clean_up.undecided_cells);
-  set("clean_up/thin_cells", c.clean_up.thin_cells);
-  set("clean_up/left_cells", c.clean_up.left_cells);
-  set("clean_up/flat_cells", c.clean_up.flat_cells);
-  set("clean_up/relabeled_cells", c.clean_up.relabeled_cells);
-  set("clean_up/filled_cells", c.clean_up.filled_cells);
-  set("clean_up/moves", c.clean_up.moves);
-  set("clean_up/moved_cells", c.clean_up.moved_cells);
-  set("clean_up/large_stars", c.clean_up.large_stars);
-  set("clean_up/clusters", c.clean_up.clusters);
-  set("clean_up/cluster_cells", c.clean_up.cluster_cells);
-  set("clean_up/large_clusters", c.clean_up.large_clusters);
-  set("clean_up/dropped_components", c.clean_up.dropped_components);
-  set("clean_up/compound_moves", c.clean_up.compound_moves);
-  set("clean_up/compound_cells", c.clean_up.compound_cells);
-  set("clean_up/closed_handles", c.clean_up.closed_handles);
-  set("clean_up/closing_cells", c.clean_up.closing_cells);
-  set("clean_up/large_handles", c.clean_up.large_handles);
-  set("clean_up/changed_cells", c.clean_up.changed_cells);
-  set("clean_up/defects_before", c.clean_up.defects_before);
-  set("clean_up/defects_after", c.clean_up.defects_after);
-  set("clean_up/unused_before", c.clean_up.unused_before);
-  set("clean_up/unused_after", c.clean_up.unused_after);
-  set("clean_up/outliers", c.clean_up.outliers);
-  set("clean_up/idle_before", c.clean_up.idle_before);
-  set("clean_up/idle_after", c.clean_up.idle_after);
+  add_clean_up_counters(report, c.clean_up);
 }
 
 const char* name_of_rho(const SurfaceRemedies& remedies) { return remedies.rho ? "--rho" : "rho"; }

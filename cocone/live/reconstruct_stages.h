@@ -36,7 +36,8 @@ struct CoconeSurface {
   RemovedFacets rest;
 };
 
-// What the stages found on the way, for those who go on from it.
+// What the stages found on the way, for those who go on from it: at first sight, even if the result
+// is that of a second look (ReconstructCounters::second_look).
 struct ReconstructStages {
   Triangulation triangulation;
   std::vector<CellId> not_in_doubles;  // of the dual
@@ -77,7 +78,8 @@ using Marking = std::function<CellMarks(
 
 // Whoever keeps a body (kept_body.h), and may take it instead of the mesh that bounds it: then each
 // vertex has one closed umbrella of that. `out`: 1 = a cell is not of the body. `is_flawed`: the
-// clean-up has seen a vertex without such an umbrella. False: the mesh is needed.
+// clean-up has seen a vertex without such an umbrella, or the mesh is needed in any case. False: it
+// is needed.
 using BodyTaker = std::function<bool(const Triangulation& triangulation,
                                      const IdVector<CellId, std::uint8_t>& out, bool is_flawed)>;
 

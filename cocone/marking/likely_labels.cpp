@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "geom/mesh/edge_components.h"
 #include "geom/messages/require_size.h"
 
 namespace cocoon {
@@ -30,16 +29,6 @@ IdVector<CellId, CellLabel> with_likely(KnownLabels known) {
     if (known.labels[c] == CellLabel::unmarked) known.labels[c] = known.likely[c];
   }
   return std::move(known.labels);
-}
-
-SurfaceRoughness surface_roughness(const SurfaceMesh& surface, std::size_t vertices,
-                                   const Execution& execution) {
-  const TriangleMesh& mesh = surface.mesh;
-  const std::size_t parts =
-      edge_components(mesh, link_halfedges(mesh, execution), execution).components.size();
-  const auto euler = static_cast<std::ptrdiff_t>(mesh.points.size()) -
-                     static_cast<std::ptrdiff_t>(mesh.triangles.size() / 2);
-  return {parts, 2 * static_cast<std::ptrdiff_t>(parts) - euler, vertices - mesh.points.size()};
 }
 
 }  // namespace cocoon

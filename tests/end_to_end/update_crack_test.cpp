@@ -6,6 +6,7 @@
 
 #include "cocone/reconstruct.h"
 #include "geom/mesh_check.h"
+#include "geom/mesh_measure.h"
 #include "tests/end_to_end/boxy_part.h"
 #include "tests/mesh_gallery.h"
 #include "update/update_session.h"
@@ -63,10 +64,16 @@ std::vector<std::string> told(const UpdateResult& result) {
   return found;
 }
 
+UpdateOptions first_look() {
+  UpdateOptions options;
+  options.reconstruct.second_look.enabled = false;
+  return options;
+}
+
 // Where walls are closer than the samples are dense, they are guessed.
 TEST(UpdateCrack, ContradictionsAreTold) {
   const CrackedBlock block(0.2, 5);
-  const UpdateResult result = update_model(block.model, {{block.scan}});
+  const UpdateResult result = update_model(block.model, {{block.scan}}, first_look());
   ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
   const ContradictedSamples& found = result.clouds[0].contradicted;
   EXPECT_GT(found.count, 100U);
@@ -75,11 +82,33 @@ TEST(UpdateCrack, ContradictionsAreTold) {
   EXPECT_LT(found.at.z, 8.9);
   EXPECT_EQ(told(result).size(), 1U);
 
-  UpdateSession session(block.model);
+  UpdateSession session(block.model, first_look());
   EXPECT_EQ(session.apply({{block.scan}}).result.warnings, result.warnings);
   // Now without looking at the whole.
   session.undo();
   EXPECT_EQ(session.apply({{block.scan}}).result.warnings, result.warnings);
+}
+
+// Of a volume of 8, of which the second look opens what the first leaves closed.
+TEST(UpdateCrack, ASecondLookOpensIt) {
+  const CrackedBlock block(0.2, 5);
+  const double volume = mesh_measure(block.model).signed_volume;
+  const auto opened = [&](const UpdateOptions& options) {
+    const UpdateResult result = update_model(block.model, {{block.scan}}, options);
+    EXPECT_EQ(result.status, UpdateStatus::ok) << result.message;
+    return volume - mesh_measure(result.mesh).signed_volume;
+  };
+  EXPECT_LT(opened(first_look()), 6.5);
+  EXPECT_GT(opened({}), 7.2);
+
+  const UpdateResult result = update_model(block.model, {{block.scan}});
+  EXPECT_EQ(result.reconstruction.counters.second_look, 1U);
+  UpdateSession session(block.model);
+  for (int i = 0; i < 2; ++i) {  // from nothing, and from what is kept
+    EXPECT_EQ(session.apply({{block.scan}}).result.reconstruction.counters.second_look, 1U);
+    EXPECT_EQ(session.model(), result.mesh);
+    session.undo();
+  }
 }
 
 // Sharp edges have always some.

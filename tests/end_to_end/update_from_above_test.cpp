@@ -91,9 +91,11 @@ Shares shares_of(const TriangleMesh& model, const std::vector<Scene>& scenes,
   return shares;
 }
 
+// By the first look alone, too: the second makes good some of that.
 UpdateOptions blind() {
   UpdateOptions options;
   options.sight.step = 0;
+  options.reconstruct.second_look.enabled = false;
   return options;
 }
 

@@ -93,7 +93,7 @@ TEST(SurfaceDoubts, PlaceContradictionsAndHandles) {
     const double z = i % 2 == 0 ? 0 : 0.02;
     points.push_back({random.uniform(-1, 1), random.uniform(-1, 1), z});
   }
-  const ReconstructResult result = reconstruct_tight(points);
+  const ReconstructResult result = reconstruct_tight(points, {.second_look = {.enabled = false}});
   const SurfaceDoubts doubts = surface_doubts(result, points);
   ASSERT_GT(doubts.conflicts, 0U);
   ASSERT_GT(doubts.contradicted.size(), 1U);

@@ -1,0 +1,35 @@
+// Where the marks of a surface contradict each other, it is looked for once more among fewer
+// samples.
+//
+// The radius of the tangent plane takes more samples for good than that of the cocone
+// (RadiusMode), and most surfaces are the better for it. But where a wall is thinner than the
+// spacing its two sides take each other's samples for neighbors, are good all the same, and
+// disagree about what is inside. With the cocone's radius they are boundary samples, and the
+// clean-up decides.
+//
+// Source: ours, docs/stages/mark_cells.md.
+#pragma once
+
+#include <cstddef>
+
+#include "cocone/checks/surface_roughness.h"
+#include "cocone/clean_up_cells.h"
+
+namespace cocoon {
+
+struct SecondLookOptions {
+  bool enabled = true;  // false, as without clean-up: what is found first is taken
+  // There is one if marks contradict each other (CellMarks::conflicts) more often than this,
+  std::size_t max_conflicts = 5;
+  // and more often than this share of the samples: noise contradicts itself here and there.
+  double max_conflict_share = 0.001;
+};
+
+// Whether so many conflicts are too many. Complexity: O(1).
+bool is_contradictory(const SecondLookOptions& options, std::size_t conflicts, std::size_t samples);
+
+// What the clean-up makes parts, handles and samples without a place cost: the surface for which
+// that is less is taken, if its marks contradict each other less often. Complexity: O(1).
+double cost_of(const SurfaceRoughness& roughness, const CleanUpOptions& costs);
+
+}  // namespace cocoon

@@ -1,0 +1,184 @@
+// Two blocks one over the other, so close that samples of one take those of the other for
+// neighbors: marks contradict each other, and there is a second look.
+#include "cocone/second_look.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "cocone/reconstruct.h"
+#include "geom/random/random.h"
+#include "tests/cocone/changing_points.h"
+
+namespace cocoon {
+namespace {
+
+constexpr double far_end = 12;  // of the blocks, along x and y
+constexpr double middle = 5;    // where the gap begins
+constexpr double top = 10;
+
+// A grid of about one sample per unit of area on the face of a box at `value` of an axis; each is
+// moved by up to 0.3 in the face.
+void add_face(std::array<double, 3> low, std::array<double, 3> high, std::size_t axis, double value,
+              Random& random, std::vector<Point>& points) {
+  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const double columns = std::round(high[u] - low[u]);
+  const double rows = std::round(high[v] - low[v]);
+  for (double i = 0.5; i < columns; ++i) {
+    for (double k = 0.5; k < rows; ++k) {
+      std::array<double, 3> p{};
+      p[axis] = value;
+      p[u] = low[u] + (i + random.uniform(-0.3, 0.3)) * (high[u] - low[u]) / columns;
+      p[v] = low[v] + (k + random.uniform(-0.3, 0.3)) * (high[v] - low[v]) / rows;
+      points.push_back({p[0], p[1], p[2]});
+    }
+  }
+}
+
+std::vector<Point> blocks(double gap, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Point> points;
+  for (const bool upper : {false, true}) {
+    const std::array<double, 3> low = {0, 0, upper ? middle + gap : 0};
+    const std::array<double, 3> high = {far_end, far_end, upper ? top : middle};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      add_face(low, high, axis, low[axis], random, points);
+      add_face(low, high, axis, high[axis], random, points);
+    }
+  }
+  return points;
+}
+
+ReconstructResult first_look(Points points) {
+  return reconstruct_tight(points, {.second_look = {.enabled = false}});
+}
+
+// So many pairs of blocks, of several gaps.
+template <class Visit>
+void for_each_pair_of_blocks(Visit visit) {
+  for (const double gap : {0.2, 0.3, 0.4}) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      SCOPED_TRACE("gap " + std::to_string(gap) + ", seed " + std::to_string(seed));
+      visit(blocks(gap, seed));
+    }
+  }
+}
+
+TEST(SecondLook, TakesTheSurfaceThatCostsLessAndContradictsItselfLess) {
+  const SecondLookOptions defaults;
+  std::size_t taken = 0, not_taken = 0, not_asked = 0;
+  for_each_pair_of_blocks([&](const std::vector<Point>& points) {
+    const ReconstructResult first = first_look(points);
+    const ReconstructResult result = reconstruct_tight(points);
+    ReconstructOptions strict;
+    strict.boundary.radius_mode = RadiusMode::cocone;
+    const ReconstructResult second = reconstruct_tight(points, strict);
+    const std::size_t conflicts = first.counters.marking_conflicts;
+    if (!is_contradictory(defaults, conflicts, points.size())) {
+      EXPECT_EQ(result.counters.first_conflicts, 0U);
+      EXPECT_EQ(result.mesh, first.mesh);
+      ++not_asked;
+      return;
+    }
+    EXPECT_EQ(result.counters.first_conflicts, conflicts);
+    const auto cost = [&](const ReconstructResult& of) {
+      return cost_of(surface_roughness(of.mesh, of.vertices), {});
+    };
+    const bool is_better = second.counters.marking_conflicts < conflicts &&
+                           cost(second) < cost(first) && second.status == SurfaceStatus::ok;
+    EXPECT_EQ(result.counters.second_look, is_better ? 1U : 0U);
+    EXPECT_EQ(result.mesh, is_better ? second.mesh : first.mesh);
+    EXPECT_EQ(result.contradicted, is_better ? second.contradicted : first.contradicted);
+    EXPECT_EQ(result.normals, is_better ? second.normals : first.normals);
+    ++(is_better ? taken : not_taken);
+  });
+  EXPECT_GT(taken, 2U);
+  EXPECT_GT(not_asked, 1U);
+  RecordProperty("not_taken", std::to_string(not_taken));
+}
+
+TEST(SecondLook, UsesSamplesThatTheFirstLeavesOut) {
+  std::size_t before = 0, after = 0;
+  for_each_pair_of_blocks([&](const std::vector<Point>& points) {
+    before += first_look(points).unused_points;
+    after += reconstruct_tight(points).unused_points;
+  });
+  EXPECT_LT(2 * after, before);
+}
+
+TEST(SecondLook, IsVerifiedIfAskedFor) {
+  const ReconstructResult result = reconstruct_tight(blocks(0.2, 1), {.verify = true});
+  EXPECT_EQ(result.counters.second_look, 1U);
+  EXPECT_EQ(result.status, SurfaceStatus::ok);
+  EXPECT_TRUE(result.verification.ok());
+  EXPECT_FALSE(result.mesh.triangles.empty());
+}
+
+TEST(SecondLook, ThereIsNoneWithOptionsThatLeaveItOut) {
+  const std::vector<Point> points = blocks(0.2, 1);
+  std::vector<ReconstructOptions> options(4);
+  options[0].mode = Mode::paper;
+  options[1].boundary.radius_mode = RadiusMode::cocone;
+  options[2].clean_up.enabled = false;
+  options[3].second_look.max_conflicts = 1000;
+  for (const ReconstructOptions& without : options) {
+    const ReconstructResult result = reconstruct_tight(points, without);
+    EXPECT_EQ(result.counters.first_conflicts, 0U);
+    EXPECT_EQ(result.counters.second_look, 0U);
+  }
+}
+
+TEST(SecondLook, FollowsWhenConflictsAreMoreThanBothLimits) {
+  const SecondLookOptions options{.max_conflicts = 5, .max_conflict_share = 0.001};
+  EXPECT_FALSE(is_contradictory(options, 5, 100));
+  EXPECT_TRUE(is_contradictory(options, 6, 100));
+  EXPECT_FALSE(is_contradictory(options, 10, 10'000));
+  EXPECT_TRUE(is_contradictory(options, 11, 10'000));
+  EXPECT_FALSE(is_contradictory({.enabled = false}, 1000, 1000));
+}
+
+TEST(SecondLook, PartsHandlesAndUnusedSamplesCostWhatTheCleanUpSays) {
+  CleanUpOptions costs;
+  costs.component_cost = 100;
+  costs.handle_cost = 30;
+  costs.unused_cost = 7;
+  EXPECT_EQ(cost_of({.parts = 2, .twice_handles = 3, .unused_vertices = 4}, costs), 273);
+}
+
+// Points come and go at either block: also where there is no second look any more, and where there
+// is one again.
+TEST(SecondLook, IsThatOfStartingOverAfterEachChange) {
+  std::size_t taken = 0, left = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Random random(seed);
+    ChangingPoints changing(blocks(0.25, seed));
+    DynamicTightCocone cocone;
+    expect_equal_reconstruction(cocone.reconstruct(changing.points),
+                                reconstruct_tight(changing.points));
+    for (int step = 0; step < 12; ++step) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", step " + std::to_string(step));
+      const std::vector<Point> other = blocks(0.15 + 0.05 * (step % 5), 10 + random.below(100));
+      const double x = random.uniform(0, far_end), y = random.uniform(0, far_end);
+      const auto is_near = [&](const Point& p) {
+        return std::abs(p.x - x) < 4 && std::abs(p.y - y) < 4 && p.z > 3;
+      };
+      std::vector<Point> added;
+      for (const Point& p : other) {
+        if (is_near(p)) added.push_back(p);
+      }
+      changing.change(is_near, added);
+      ReconstructResult expected;
+      is_local_and_equal(cocone, changing, expected);
+      ++(expected.counters.second_look != 0 ? taken : left);
+    }
+  }
+  EXPECT_GT(taken, 3U);
+  EXPECT_GT(left, 3U);
+}
+
+}  // namespace
+}  // namespace cocoon
