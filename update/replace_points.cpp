@@ -210,24 +210,25 @@ void tell_positions(const ListEdit<VertexId>& edit, std::size_t num_vertices,
   }
 }
 
+void require_ascending(std::span<const VertexId> vertices, std::size_t count) {
+  if (std::is_sorted(vertices.begin(), vertices.end()) &&
+      (vertices.empty() || vertices.back().index() < count)) {
+    return;
+  }
+  throw InputError("replace_points: said vertices are to be ascending, and of the model");
+}
+
 void require_inputs(const ModelIndex& index, const Regions& regions, const RegionChoice& choice,
                     std::span<const CloudRim> rims, std::span<const std::vector<Point>> clouds,
-                    const ReplaceOptions& options) {
+                    const ReplaceOptions& options, const SaidVertices& said) {
   require_options("replace_points", options);
   require_size("replace_points", "groups of vertices", regions.group_of_vertex.size(),
                index.mesh().points.size());
   require_size("replace_points", "flags of replaced regions", choice.replaced.size(),
                regions.regions.size());
   require_size("replace_points", "rims of clouds", rims.size(), clouds.size());
-}
-
-// As scanned_again() gives them.
-void require_ascending(std::span<const VertexId> vertices, std::size_t count) {
-  if (std::is_sorted(vertices.begin(), vertices.end()) &&
-      (vertices.empty() || vertices.back().index() < count)) {
-    return;
-  }
-  throw InputError("replace_points: overlooked vertices are to be ascending, and of the model");
+  require_ascending(said.go, index.mesh().points.size());
+  require_ascending(said.stay, index.mesh().points.size());
 }
 
 }  // namespace
@@ -236,10 +237,9 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
                            const RegionChoice& choice, std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds,
                            std::span<const std::vector<Point>> added, const ReplaceOptions& options,
-                           std::span<const VertexId> overlooked) {
+                           const SaidVertices& said) {
   const TriangleMesh& model = index.mesh();
-  require_inputs(index, regions, choice, rims, clouds, options);
-  require_ascending(overlooked, model.points.size());
+  require_inputs(index, regions, choice, rims, clouds, options, said);
   Replacement result;
   const RimIndex rim_index(rims);
   const ThinningTest thinning(rims, clouds, options.thinning_distance);
@@ -267,9 +267,10 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
       replaced = !replaced;
       ++(replaced ? result.scanned_replaced : result.unscanned_kept);
     }
-    if (!replaced && std::binary_search(overlooked.begin(), overlooked.end(), v)) {
-      replaced = true;
-      ++result.overlooked;
+    if (std::binary_search((replaced ? said.stay : said.go).begin(),
+                           (replaced ? said.stay : said.go).end(), v)) {
+      replaced = !replaced;
+      ++(replaced ? result.overlooked : result.unchanged);
     }
     if (on_border) ++(replaced ? result.border_replaced : result.border_kept);
     if (replaced) {
@@ -281,7 +282,7 @@ Replacement replace_points(const ModelIndex& index, const Regions& regions,
     }
   };
   const RegionId plain = thinning.is_on() ? RegionId() : largest_kept_region(regions, choice);
-  for (const VertexId v : not_plain(plain, regions, scanned, overlooked)) decide(v);
+  for (const VertexId v : not_plain(plain, regions, scanned, said.go)) decide(v);
   result.kept = edit.size_after(model.points.size());
 
   // 2. Then the clouds; equal points once.

@@ -26,6 +26,12 @@ struct ReplaceOptions {
   bool enclosed_go = true;
 };
 
+// Vertices of which more is known than regions and rims tell; each list ascending.
+struct SaidVertices {
+  std::span<const VertexId> go = {};    // those that would stay: scanned_again()
+  std::span<const VertexId> stay = {};  // those that would go: unchanged_rest()
+};
+
 struct Replacement {
   // Kept vertices in the order of the model, then the clouds in the order given; of equal points
   // the first one. All coordinates are those of the input.
@@ -47,7 +53,8 @@ struct Replacement {
   // Of these and of those with a group, decided otherwise because of the samples around them.
   std::size_t scanned_replaced = 0;
   std::size_t unscanned_kept = 0;
-  std::size_t overlooked = 0;  // replaced since they were said to be
+  std::size_t overlooked = 0;  // replaced since they were said to be,
+  std::size_t unchanged = 0;   // or kept
   std::size_t thinned = 0;
   std::size_t unused_vertices = 0;  // of the model: in no triangle
   std::size_t duplicates = 0;       // points left out because an equal one came before
@@ -63,7 +70,7 @@ struct Replacement {
 // vertices at the very rim those go that have been scanned anew (scanned_vertices.h); where no
 // region goes there is nothing to replace, and none before the rim does.
 // rims[c] belongs to clouds[c]. `added`: what comes in, the same samples in the order wanted.
-// `overlooked`: vertices that go whatever the regions say (scanned_again()), ascending.
+// `said`: vertices that go or stay whatever the regions say.
 // Errors: InputError for parts of another model, by their sizes, and for options out of range.
 // Complexity: O(n) for n points and triangles, and a search per border vertex. Deterministic.
 // Source: Woo & Dey 2005, section 3.4 ("the vertices in the region"; border vertices are open).
@@ -71,7 +78,6 @@ Replacement replace_points(const ModelIndex& model, const Regions& regions,
                            const RegionChoice& choice, std::span<const CloudRim> rims,
                            std::span<const std::vector<Point>> clouds,
                            std::span<const std::vector<Point>> added,
-                           const ReplaceOptions& options = {},
-                           std::span<const VertexId> overlooked = {});
+                           const ReplaceOptions& options = {}, const SaidVertices& said = {});
 
 }  // namespace cocoon

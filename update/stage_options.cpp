@@ -150,6 +150,12 @@ void require_options(const char* stage, const OverlookedOptions& options) {
                           {"overlooked.max_kept_share", options.max_kept_share}});
 }
 
+void require_options(const char* stage, const UnchangedRestOptions& options) {
+  require_amounts(stage, {{"unchanged.reach", options.reach},
+                          {"unchanged.around", options.around},
+                          {"unchanged.height", options.height}});
+}
+
 void require_options(const char* stage, const PinHoleOptions& options) {
   require_amounts(stage, {{"pin_holes.max_distance", options.max_distance},
                           {"pin_holes.min_beyond", options.min_beyond}});
@@ -257,6 +263,7 @@ void require_options(const char* stage, const UpdateOptions& options) {
   require_options(stage, options.sight);
   require_options(stage, options.replace);
   require_options(stage, options.overlooked);
+  require_options(stage, options.unchanged);
   require_options(stage, options.unscanned);
   require_options(stage, options.unused_changes);
   require_options(stage, options.contradicted);

@@ -31,6 +31,7 @@
 #include "update/pin_holes.h"
 #include "update/regions/sampled_regions.h"
 #include "update/regions/seen_cells.h"
+#include "update/regions/unchanged_rest.h"
 #include "update/replace_points.h"
 #include "update/report/closed_openings.h"
 #include "update/report/cloud_report.h"
@@ -70,6 +71,7 @@ struct UpdateOptions {
   SightOptions sight;
   ReplaceOptions replace;
   OverlookedOptions overlooked;
+  UnchangedRestOptions unchanged;
   UnscannedOptions unscanned;
   UnusedChangeOptions unused_changes;
   ContradictedOptions contradicted;

@@ -166,6 +166,7 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/unscanned_kept", replacement.unscanned_kept);
   report.set("update/overlooked", result.overlooked.vertices.size());
   report.set("update/overlooked_replaced", replacement.overlooked);
+  report.set("update/unchanged_kept", replacement.unchanged);
   report.set("update/rescanned", result.overlooked.scanned);
   report.set("update/rescanned_kept", result.overlooked.kept);
   report.set("update/unexplained_handles", result.unexplained_handles);

@@ -80,6 +80,7 @@ TEST_P(UpdateOfACutOut, TheSideBesideAPocketStays) {
       static_cast<std::size_t>(std::count_if(model.points.begin(), model.points.end(), is_below));
   UpdateOptions wide;
   wide.cut.disproved.min_presumed_cosine = wide.cut.disproved.min_cosine;
+  wide.unchanged.reach = 0;
   for (const CutOut& pocket : {CutOut{10, 20, 2, 10, 8}, CutOut{10, 20, 2, 10, 3, 0.3}}) {
     const testing::Clouds clouds = pocket.scan(GetParam());
     const UpdateResult result = update_model(model, clouds);

@@ -273,13 +273,30 @@ TEST(ReplacePoints, OverlookedVerticesGo) {
   const std::vector<VertexId> overlooked = {testing::nearest_vertex(disk.model, {1, 1, 0}),
                                             testing::nearest_vertex(disk.model, {10, 10, 0})};
   const Replacement before = disk.replace();
-  const Replacement after = disk.replace({.scanned = {.rim_zone = 0}}, overlooked);
+  const Replacement after = disk.replace({.scanned = {.rim_zone = 0}}, {.go = overlooked});
   EXPECT_EQ(before.overlooked, 0U);
   EXPECT_EQ(after.overlooked, 1U);
   EXPECT_EQ(after.replaced, before.replaced + 1);
   EXPECT_EQ(after.kept, before.kept - 1);
   EXPECT_FALSE(before.point_of_vertex[overlooked[0]].is_none());
   EXPECT_TRUE(after.point_of_vertex[overlooked[0]].is_none());
+}
+
+TEST(ReplacePoints, VerticesThatAreSaidToStayStay) {
+  const ReplacedDisk disk;
+  const std::vector<VertexId> stay = {testing::nearest_vertex(disk.model, {1, 1, 0}),
+                                      testing::nearest_vertex(disk.model, {10, 10, 0})};
+  const Replacement before = disk.replace();
+  const Replacement after = disk.replace({.scanned = {.rim_zone = 0}}, {.stay = stay});
+  EXPECT_EQ(before.unchanged, 0U);
+  EXPECT_EQ(after.unchanged, 1U);
+  EXPECT_EQ(after.overlooked, 0U);
+  EXPECT_EQ(after.replaced, before.replaced - 1);
+  EXPECT_EQ(after.kept, before.kept + 1);
+  EXPECT_TRUE(before.point_of_vertex[stay[1]].is_none());
+  EXPECT_FALSE(after.point_of_vertex[stay[1]].is_none());
+  const std::vector<VertexId> descending = {stay[1], stay[0]};
+  EXPECT_THROW(disk.replace({}, {.stay = descending}), InputError);
 }
 
 }  // namespace

@@ -30,9 +30,8 @@ struct ReplacedDisk {
     choice.replaced[regions.group_of_vertex[nearest_vertex(model, {10, 10, 0})]] = 1;
   }
   Replacement replace(const ReplaceOptions& options = {.scanned = {.rim_zone = 0}},
-                      std::span<const VertexId> overlooked = {}) const {
-    return replace_points(ModelIndex(model), regions, choice, rims, clouds, clouds, options,
-                          overlooked);
+                      const SaidVertices& said = {}) const {
+    return replace_points(ModelIndex(model), regions, choice, rims, clouds, clouds, options, said);
   }
 };
 

@@ -9,6 +9,7 @@
 #include "update/model/euler_number.h"
 #include "update/regions/kept_surface.h"
 #include "update/regions/scanned_again.h"
+#include "update/regions/unchanged_rest.h"
 #include "update/report/overlooked_vertices.h"
 #include "update/report/update_messages.h"
 #include "update/report/updated_vertices.h"
@@ -57,25 +58,37 @@ AddLikely add_seen(const UpdateRun& run) {
       };
 }
 
-// What lies amid new samples although no rim says so goes, too, if it is much.
+bool is_among(RegionId r, const std::vector<RegionId>& regions) {
+  return std::find(regions.begin(), regions.end(), r) != regions.end();
+}
+
+// What lies amid new samples although no rim says so goes, too, if it is much; and what was neither
+// scanned nor changed stays, although it lies behind a rim.
 void replace(UpdateRun& run, std::span<const CloudRim> rims,
              std::span<const NearestPointTree> trees) {
   UpdateResult& result = run.result;
   const OverlookedOptions& options = run.options.overlooked;
-  const auto without = [&](std::span<const VertexId> overlooked) {
+  const auto replace_but = [&](const SaidVertices& said) {
     return replace_points(*run.index, result.regions, result.choice, rims, run.clouds, run.given,
-                          run.options.replace, overlooked);
+                          run.options.replace, said);
   };
-  result.replacement = without({});
+  const auto drop_those_said = [&](std::vector<VertexId>& vertices,
+                                   const std::vector<RegionId>& regions) {
+    std::erase_if(vertices,
+                  [&](VertexId v) { return is_among(result.regions.group_of_vertex[v], regions); });
+  };
+  result.replacement = replace_but({});
+  std::vector<VertexId> stay =
+      unchanged_rest(*run.index, result.replacement.removed, result.regions, result.choice,
+                     run.scans(), trees, run.options.unchanged);
+  drop_those_said(stay, run.options.overrides.replaced);
   result.overlooked = overlooked_vertices(*run.index, result.replacement, rims, trees, options);
-  if (!options.go || !result.overlooked.are_many(options)) return;
-  std::vector<VertexId> overlooked =
-      scanned_again(*run.index, result.overlooked.vertices, trees, run.outward());
-  const std::vector<RegionId>& kept = run.options.overrides.kept;
-  std::erase_if(overlooked, [&](VertexId v) {
-    return std::find(kept.begin(), kept.end(), result.regions.group_of_vertex[v]) != kept.end();
-  });
-  result.replacement = without(overlooked);
+  std::vector<VertexId> go;
+  if (options.go && result.overlooked.are_many(options)) {
+    go = scanned_again(*run.index, result.overlooked.vertices, trees, run.outward());
+    drop_those_said(go, run.options.overrides.kept);
+  }
+  if (!go.empty() || !stay.empty()) result.replacement = replace_but({go, stay});
 }
 
 }  // namespace
