@@ -180,6 +180,8 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/unscanned_losses", result.unscanned.vertices);
   const ReconstructCounters& counters = result.reconstruction.counters;
   report.set("update/yielded_cells", counters.yielded_cells);
+  report.set("update/first_conflicts", counters.first_conflicts);
+  report.set("update/second_look", counters.second_look);
   report.set("update/seen_cells", counters.likely_cells);
   report.set("update/contradicted_seen_cells", counters.contradicted_likely);
   report.set("update/heeded_seen_cells", counters.heeded_likely);
