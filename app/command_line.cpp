@@ -44,8 +44,8 @@ void add_stages_of_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
       ->group(stages);
   add_switch_off(app, "--no-clean-up", arguments.clean_up, "Leave the surface as the peel left it")
       ->group(stages);
-  for (const ThresholdUse use :
-       {ThresholdUse::cocone, ThresholdUse::tight, ThresholdUse::clean_up}) {
+  for (const ThresholdUse use : {ThresholdUse::cocone, ThresholdUse::tight,
+                                 ThresholdUse::second_look, ThresholdUse::clean_up}) {
     add_thresholds_of(app, use, arguments.thresholds, stages);
   }
   const std::string noise = "Noise filter (with --noise robust)";

@@ -29,6 +29,12 @@ namespace cocoon::app {
 
 namespace {
 
+void warn_of_idle(Job& job, const std::vector<std::string>& names, const char* by) {
+  if (names.empty()) return;
+  job.warn(fmt::format("{} {} nothing with {}", fmt::join(names, ", "),
+                       names.size() == 1 ? "does" : "do", by));
+}
+
 // Given options that say what others take away.
 void warn_of_idle_options(Job& job, const ReconstructArguments& arguments) {
   const bool paper = arguments.parameters.mode == Mode::paper;
@@ -39,10 +45,16 @@ void warn_of_idle_options(Job& job, const ReconstructArguments& arguments) {
   if (paper || !arguments.clean_up) {
     append_given(ThresholdUse::clean_up, arguments.thresholds, names);
   }
-  if (names.empty()) return;
-  job.warn(fmt::format("{} {} nothing with {}", fmt::join(names, ", "),
-                       names.size() == 1 ? "does" : "do",
-                       paper ? "--mode paper" : "--no-clean-up"));
+  warn_of_idle(job, names, paper ? "--mode paper" : "--no-clean-up");
+  names.clear();
+  append_given(ThresholdUse::second_look, arguments.thresholds, names);
+  if (paper || !arguments.clean_up || !arguments.second_look || arguments.radius) {
+    warn_of_idle(job, names,
+                 paper                    ? "--mode paper"
+                 : !arguments.clean_up    ? "--no-clean-up"
+                 : !arguments.second_look ? "--no-second-look"
+                                          : "--radius");
+  }
 }
 
 StageOptions options_of(const ReconstructArguments& arguments) {
@@ -75,6 +87,7 @@ void add_stages(JsonReport& report, const ReconstructArguments& arguments,
   }
   if (arguments.surface != SurfaceKind::tight) return;
   add_thresholds(report, ThresholdUse::tight, options);
+  add_thresholds(report, ThresholdUse::second_look, options);
   add_thresholds(report, ThresholdUse::clean_up, options);
   const ReconstructOptions effective = effective_options(options.surface);
   report.set("parameters/deferred_seeding", effective.peel.deferred_seeding);

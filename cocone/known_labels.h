@@ -30,7 +30,7 @@ struct KnownLabels {
   std::vector<CellId> undisturbed;
   // What is likely of cells of which `labels` tells nothing, as of those on lines of sight.
   // Unmarked: nothing is. Empty: of none. Heeded where the surface is no rougher by it
-  // (marking/likely_labels.h).
+  // (checks/surface_roughness.h).
   IdVector<CellId, CellLabel> likely;
 };
 

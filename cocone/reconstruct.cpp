@@ -24,7 +24,9 @@ ReconstructOptions effective_options(ReconstructOptions options) {
     options.keep_cavities = false;
     options.clean_up.enabled = false;
   }
-  if (!options.clean_up.enabled) options.second_look.enabled = false;
+  if (!options.clean_up.enabled || options.boundary.radius_mode == RadiusMode::cocone) {
+    options.second_look.enabled = false;
+  }
   return options;
 }
 

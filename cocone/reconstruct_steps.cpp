@@ -160,9 +160,9 @@ void ReconstructSteps::close_surface(const KnownLabelsSource& known) {
 void ReconstructSteps::look_again(const KnownLabelsSource& known) {
   const std::size_t first_conflicts = result_.counters.marking_conflicts;
   if (!is_contradictory(first_conflicts) || result_.status != SurfaceStatus::ok) return;
-  result_.counters.first_conflicts = first_conflicts;
   const double first_cost = cost_of_result();
   if (first_cost <= cost_of({.parts = 1}, options_.clean_up)) return;  // none is less
+  result_.counters.first_conflicts = first_conflicts;
   ReconstructOptions options = options_;
   options.boundary.radius_mode = RadiusMode::cocone;
   options.verify = false;
@@ -218,9 +218,7 @@ CoconeSurface ReconstructSteps::take_surface() {
   surface.halves = std::move(surface_.halves);
   surface.good = std::move(good_);
   surface.first_walk = surface_.first_walk;
-  const ReconstructCounters& counters = result_.counters;
-  surface.umbrellas =
-      counters.good_vertices + counters.demoted_vertices + counters.refuted_vertices;
+  surface.umbrellas = umbrellas_;
   if (live_ != nullptr) {
     surface.triangles = std::move(surface_.triangles);
     surface.rest = std::move(surface_.rest);
@@ -447,6 +445,7 @@ void ReconstructSteps::deliver(Body body, const Execution& execution) {
   counters.refuted_vertices = marks.refuted_vertices;
   counters.poor_cells = marks.poor_cells;
   counters.deferred_seeds = marks.deferred_seeds;
+  umbrellas_ = counters.good_vertices + counters.demoted_vertices + counters.refuted_vertices;
   good_ = std::move(marks.good);
   if (stages_ != nullptr) stages_->out = std::move(marks.reached);
 }
@@ -472,6 +471,7 @@ void ReconstructSteps::deliver_certain(GoodVertices good, const Execution& execu
   if (options_.clean_up.enabled) {
     counters.clean_up.unused_before = counters.clean_up.unused_after = result_.unused_points;
   }
+  umbrellas_ = counters.good_vertices + counters.demoted_vertices;
   good_ = std::move(good.good);
 }
 

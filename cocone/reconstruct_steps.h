@@ -151,6 +151,7 @@ class ReconstructSteps {
   ManifoldSurface surface_;
   std::optional<KnownLabels> told_;                    // once they were asked for
   VertexSet good_;                                     // as the marks had them
+  std::size_t umbrellas_ = 0;                          // of these and those that became poor
   IdVector<VertexId, VertexId> triangulation_vertex_;  // of each vertex of the result
   double scale_ = 1;
   ReconstructResult result_;

@@ -1,5 +1,7 @@
 #include "cocone/second_look.h"
 
+#include <algorithm>
+
 namespace cocoon {
 
 bool is_contradictory(const SecondLookOptions& options, std::size_t conflicts,
@@ -10,9 +12,10 @@ bool is_contradictory(const SecondLookOptions& options, std::size_t conflicts,
 }
 
 double cost_of(const SurfaceRoughness& roughness, const CleanUpOptions& costs) {
-  return costs.component_cost * static_cast<double>(roughness.parts) +
-         costs.handle_cost / 2 * static_cast<double>(roughness.twice_handles) +
-         costs.unused_cost * static_cast<double>(roughness.unused_vertices);
+  constexpr double most = 0x1p20;  // as in the clean-up
+  return std::min(costs.component_cost, most) * static_cast<double>(roughness.parts) +
+         std::min(costs.handle_cost, most) / 2 * static_cast<double>(roughness.twice_handles) +
+         std::min(costs.unused_cost, most) * static_cast<double>(roughness.unused_vertices);
 }
 
 }  // namespace cocoon

@@ -47,6 +47,7 @@ std::vector<std::string> of_tight_stages(const ReconstructArguments& arguments) 
   if (!arguments.second_look) names.push_back("--no-second-look");
   if (!arguments.clean_up) names.push_back("--no-clean-up");
   append_given(ThresholdUse::tight, arguments.thresholds, names);
+  append_given(ThresholdUse::second_look, arguments.thresholds, names);
   append_given(ThresholdUse::clean_up, arguments.thresholds, names);
   return names;
 }

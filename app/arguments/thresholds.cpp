@@ -25,10 +25,11 @@ constexpr std::array<Threshold, 5> of_marking{{
     {"crease-angle", "Marking: one below this makes those ends poor that are boundary samples", 0,
      180, angle, tight, [](Options& o) -> Field { return &o.surface.good_vertices.crease_cosine; }},
     {"second-look-conflicts", "Second look: there is one if marks contradict each other more often",
-     0, 4e9, whole, tight,
+     0, 4e9, whole, second_look,
      [](Options& o) -> Field { return &o.surface.second_look.max_conflicts; }},
     {"second-look-share", "Second look: and more often than this share of the samples", 0, 1,
-     number, tight, [](Options& o) -> Field { return &o.surface.second_look.max_conflict_share; }},
+     number, second_look,
+     [](Options& o) -> Field { return &o.surface.second_look.max_conflict_share; }},
 }};
 
 constexpr std::array<Threshold, 24> of_clean_up{{

@@ -27,13 +27,14 @@ struct StageOptions {
 
 // What a threshold is of.
 enum class ThresholdUse {
-  cocone,    // every surface
-  tight,     // watertight ones
-  clean_up,  // of these, unless it is left out
-  outliers,  // left out before them, by --noise robust; of the clouds of updates, too
-  noise,     // the rest of that filter
-  loops,     // the command boundary
-  findings,  // what is said of the result
+  cocone,       // every surface
+  tight,        // watertight ones
+  second_look,  // of these, where samples contradict each other
+  clean_up,     // of these, unless it is left out
+  outliers,     // left out before them, by --noise robust; of the clouds of updates, too
+  noise,        // the rest of that filter
+  loops,        // the command boundary
+  findings,     // what is said of the result
 };
 
 enum class ThresholdKind {

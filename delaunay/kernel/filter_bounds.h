@@ -47,10 +47,10 @@ struct ExactReaches {
 // summands, stay below 24 L^(5/2), so they are exact up to 2^53 unit^5: for L <= 2^19 unit^2 they
 // are below 2^(47.5 + 4.6) unit^5. In pairs of doubles the error, 2^(13 - 106) L^(5/2), is below
 // 2^-5 unit^5 for L <= 2^35 unit^2: a value that is not zero is at least unit^5, beyond doubt.
-// Negative, so that nothing is exact, if there is no unit, or one so extreme that powers of it may
-// under- or overflow.
+// Negative, so that nothing is exact, if there is no unit, or one so extreme that powers of it, or
+// the bound of the second filter, L^5 <= 2^175 unit^10, may under- or overflow.
 inline ExactReaches exact_reaches(double unit) {
-  if (!(unit > 0x1p-80 && unit < 0x1p100)) return {};
+  if (!(unit > 0x1p-80 && unit < 0x1p80)) return {};
   return {0x1p19 * (unit * unit), 0x1p35 * (unit * unit)};
 }
 

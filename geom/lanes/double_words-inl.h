@@ -5,10 +5,9 @@
 // How large the errors are. Say of a number that its higher part is at most H, the lower one at
 // most a u H, and the error at most e u^2 H, u = 2^-53. Then, up to factors (1 + u)^k, and barring
 // over- and underflow,
-//   a difference of doubles at most H apart    a = 1               e = 0
-//   a product, of H1 H2                        a = 1 + a1 + a2     e = e1 + e2 + a1 a2 + 2 + a1 + 2
-//   a2 a sum or difference, of H1 + H2            a = 1 + max(a1, a2) e = max(e1, e2) + 1 + 2
-//   max(a1, a2)
+//   difference of doubles at most H apart:  a = 1,  e = 0
+//   product, of H1 H2:  a = 1 + a1 + a2,  e = e1 + e2 + a1 a2 + 2 + a1 + 2 a2
+//   sum or difference, of H1 + H2:  a = 1 + max(a1, a2),  e = max(e1, e2) + 1 + 2 max(a1, a2)
 // since the error of a product or sum of doubles is a double, at most u of it, and what is rounded
 // or left out is of second order. Lower parts are not brought below half a unit of the higher ones:
 // errors are compared with H, not with the value, and a determinant may be far below it anyway.

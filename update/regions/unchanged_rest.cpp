@@ -127,6 +127,7 @@ class Evidence {
 
 std::vector<VertexId> unchanged_rest(const ModelIndex& model, std::span<const VertexId> removed,
                                      const Regions& regions, const RegionChoice& choice,
+                                     std::span<const RegionId> said_to_go,
                                      std::span<const Scan> scans,
                                      std::span<const NearestPointTree> clouds,
                                      const UnchangedRestOptions& options) {
@@ -141,11 +142,19 @@ std::vector<VertexId> unchanged_rest(const ModelIndex& model, std::span<const Ve
     const RegionId group = regions.group_of_vertex[v];
     return !group.is_none() && choice.replaced[group] == 0;
   };
+  const auto is_said_to_go = [&](VertexId v) {
+    for (const TriangleId t : model.triangles_at(v)) {
+      const RegionId r = regions.region_of_facet[t];
+      if (std::find(said_to_go.begin(), said_to_go.end(), r) != said_to_go.end()) return true;
+    }
+    return false;
+  };
   const Evidence evidence(model, scans, clouds, options);
   std::vector<Piece> pieces;
   UnscannedPieces(model, removed)
       .visit_hanging([&](VertexId v) { return evidence.is_near(v, options.reach); }, is_firm,
                      [&](Piece piece) {
+                       if (std::any_of(piece.begin(), piece.end(), is_said_to_go)) return;
                        if (evidence.is_beside_samples(piece)) pieces.push_back(std::move(piece));
                      });
   if (!pieces.empty()) evidence.erase_changed(pieces);

@@ -58,10 +58,6 @@ AddLikely add_seen(const UpdateRun& run) {
       };
 }
 
-bool is_among(RegionId r, const std::vector<RegionId>& regions) {
-  return std::find(regions.begin(), regions.end(), r) != regions.end();
-}
-
 // What lies amid new samples although no rim says so goes, too, if it is much; and what was neither
 // scanned nor changed stays, although it lies behind a rim.
 void replace(UpdateRun& run, std::span<const CloudRim> rims,
@@ -72,21 +68,18 @@ void replace(UpdateRun& run, std::span<const CloudRim> rims,
     return replace_points(*run.index, result.regions, result.choice, rims, run.clouds, run.given,
                           run.options.replace, said);
   };
-  const auto drop_those_said = [&](std::vector<VertexId>& vertices,
-                                   const std::vector<RegionId>& regions) {
-    std::erase_if(vertices,
-                  [&](VertexId v) { return is_among(result.regions.group_of_vertex[v], regions); });
-  };
   result.replacement = replace_but({});
-  std::vector<VertexId> stay =
+  const std::vector<VertexId> stay =
       unchanged_rest(*run.index, result.replacement.removed, result.regions, result.choice,
-                     run.scans(), trees, run.options.unchanged);
-  drop_those_said(stay, run.options.overrides.replaced);
+                     run.options.overrides.replaced, run.scans(), trees, run.options.unchanged);
   result.overlooked = overlooked_vertices(*run.index, result.replacement, rims, trees, options);
   std::vector<VertexId> go;
   if (options.go && result.overlooked.are_many(options)) {
     go = scanned_again(*run.index, result.overlooked.vertices, trees, run.outward());
-    drop_those_said(go, run.options.overrides.kept);
+    const std::vector<RegionId>& kept = run.options.overrides.kept;
+    std::erase_if(go, [&](VertexId v) {
+      return std::find(kept.begin(), kept.end(), result.regions.group_of_vertex[v]) != kept.end();
+    });
   }
   if (!go.empty() || !stay.empty()) result.replacement = replace_but({go, stay});
 }

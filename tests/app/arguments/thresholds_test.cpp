@@ -14,8 +14,9 @@ namespace {
 nlohmann::json parameters(const StageOptions& options) {
   JsonReport report;
   for (const ThresholdUse use :
-       {ThresholdUse::cocone, ThresholdUse::tight, ThresholdUse::clean_up, ThresholdUse::outliers,
-        ThresholdUse::noise, ThresholdUse::loops, ThresholdUse::findings}) {
+       {ThresholdUse::cocone, ThresholdUse::tight, ThresholdUse::second_look,
+        ThresholdUse::clean_up, ThresholdUse::outliers, ThresholdUse::noise, ThresholdUse::loops,
+        ThresholdUse::findings}) {
     add_thresholds(report, use, options);
   }
   return nlohmann::json::parse(report.text())["parameters"];

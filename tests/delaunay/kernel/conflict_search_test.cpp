@@ -144,6 +144,20 @@ TEST(ConflictSearch, AgreesWithThePredicatesOnLargeSpheresOfIntegers) {
   }
 }
 
+// In units so large, or so small, that powers of them leave the range of doubles.
+TEST(ConflictSearch, AgreesWithThePredicatesInExtremeUnits) {
+  for (const int unit : {-120, -90, -81, -79, 79, 81, 86, 90, 99}) {
+    SCOPED_TRACE(unit);
+    for (const int exponent : {6, 12, 14}) {
+      for (const double off : {-5000.0, -1.0, 0.0, 1.0, 5000.0}) {
+        std::array<Point, 5> five = points_on_large_sphere(exponent, off);
+        for (Point& p : five) p = std::ldexp(1, unit) * p;
+        FiveCells(five).search();
+      }
+    }
+  }
+}
+
 // The same for the sides of the walk: the fifth point moves through the plane of a facet.
 TEST(ConflictSearch, AgreesWithThePredicatesAroundTheBoundOfOrient3d) {
   NearDegenerate random(13);

@@ -21,6 +21,7 @@ struct PlaneBesideSamples {
   std::vector<Point> samples;
   Regions regions;  // one for what was removed, and one for the rest
   RegionChoice choice;
+  std::vector<RegionId> said_to_go;
   Point left_out{5, 6, 0};
   Point beside{5, 7, 0};
   Point behind{12, 12, 0};
@@ -33,6 +34,8 @@ struct PlaneBesideSamples {
       regions.group_of_vertex.push_back(RegionId(stays ? 1U : 0U));
       if (p.x < 7 && p != left_out) samples.push_back(p);
     }
+    regions.region_of_facet =
+        SparseVector<TriangleId, RegionId>(mesh.triangles.size(), RegionId(0));
     regions.regions.resize(2);
     choice.replaced = IdVector<RegionId, std::uint8_t>(2, 1);
     choice.replaced[RegionId(1)] = 0;
@@ -42,7 +45,7 @@ struct PlaneBesideSamples {
     std::vector<Point> points;
     const std::vector<Scan> scans = {{samples, 1, {}}};
     for (const VertexId v :
-         unchanged_rest(model, removed, regions, choice, scans, trees, options)) {
+         unchanged_rest(model, removed, regions, choice, said_to_go, scans, trees, options)) {
       points.push_back(mesh.points[v]);
     }
     return points;
@@ -97,6 +100,14 @@ TEST(UnchangedRest, IsNotWhatWasScannedAgain) {
   EXPECT_EQ(plane.rest({.reach = 0.7}).size(), 1U);
 }
 
+TEST(UnchangedRest, IsNotWhatIsSaidToGo) {
+  PlaneBesideSamples plane;
+  plane.said_to_go = {RegionId(1)};
+  EXPECT_EQ(plane.rest().size(), 1U);
+  plane.said_to_go = {RegionId(0)};
+  EXPECT_TRUE(plane.rest().empty());
+}
+
 TEST(UnchangedRest, CanBeSwitchedOff) {
   EXPECT_TRUE(PlaneBesideSamples().rest({.reach = 0}).empty());
 }
@@ -109,18 +120,20 @@ TEST(UnchangedRest, SamplesOutOfRegisterAreMovedBack) {
   const std::vector<NearestPointTree> trees(1, NearestPointTree(plane.samples));
   const std::vector<Scan> scans = {{plane.samples, 1, shift}};
   EXPECT_EQ(
-      unchanged_rest(plane.model, plane.removed, plane.regions, plane.choice, scans, trees).size(),
+      unchanged_rest(plane.model, plane.removed, plane.regions, plane.choice, {}, scans, trees)
+          .size(),
       1U);
 }
 
 TEST(UnchangedRest, EachScanNeedsATree) {
   const PlaneBesideSamples plane;
   const std::vector<Scan> scans = {{plane.samples, 1, {}}};
-  EXPECT_THROW(unchanged_rest(plane.model, plane.removed, plane.regions, plane.choice, scans, {}),
-               InputError);
+  EXPECT_THROW(
+      unchanged_rest(plane.model, plane.removed, plane.regions, plane.choice, {}, scans, {}),
+      InputError);
   const std::vector<NearestPointTree> trees(1, NearestPointTree(plane.samples));
-  EXPECT_THROW(unchanged_rest(plane.model, plane.removed, plane.regions, plane.choice, scans, trees,
-                              {.around = -1}),
+  EXPECT_THROW(unchanged_rest(plane.model, plane.removed, plane.regions, plane.choice, {}, scans,
+                              trees, {.around = -1}),
                InputError);
 }
 
