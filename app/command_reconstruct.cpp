@@ -29,32 +29,36 @@ namespace cocoon::app {
 
 namespace {
 
-void warn_of_idle(Job& job, const std::vector<std::string>& names, const char* by) {
-  if (names.empty()) return;
+// `taken_away_by`: none if nothing is.
+void warn_of_idle(Job& job, const std::vector<std::string>& names, const char* taken_away_by) {
+  if (names.empty() || taken_away_by == nullptr) return;
   job.warn(fmt::format("{} {} nothing with {}", fmt::join(names, ", "),
-                       names.size() == 1 ? "does" : "do", by));
+                       names.size() == 1 ? "does" : "do", taken_away_by));
+}
+
+// What leaves out the clean-up; none: nothing.
+const char* without_clean_up(const ReconstructArguments& arguments) {
+  if (arguments.parameters.mode == Mode::paper) return "--mode paper";
+  return arguments.clean_up ? nullptr : "--no-clean-up";
+}
+
+const char* without_second_look(const ReconstructArguments& arguments) {
+  if (const char* option = without_clean_up(arguments)) return option;
+  if (!arguments.second_look) return "--no-second-look";
+  return arguments.radius ? "--radius" : nullptr;
 }
 
 // Given options that say what others take away.
 void warn_of_idle_options(Job& job, const ReconstructArguments& arguments) {
-  const bool paper = arguments.parameters.mode == Mode::paper;
   std::vector<std::string> names;
-  if (paper && arguments.cavities) names.push_back("--cavities");
-  if (paper && arguments.radius == RadiusMode::tangent_plane)
-    names.push_back("--radius tangent-plane");
-  if (paper || !arguments.clean_up) {
-    append_given(ThresholdUse::clean_up, arguments.thresholds, names);
+  if (arguments.parameters.mode == Mode::paper) {
+    if (arguments.cavities) names.push_back("--cavities");
+    if (arguments.radius == RadiusMode::tangent_plane) names.push_back("--radius tangent-plane");
   }
-  warn_of_idle(job, names, paper ? "--mode paper" : "--no-clean-up");
-  names.clear();
-  append_given(ThresholdUse::second_look, arguments.thresholds, names);
-  if (paper || !arguments.clean_up || !arguments.second_look || arguments.radius) {
-    warn_of_idle(job, names,
-                 paper                    ? "--mode paper"
-                 : !arguments.clean_up    ? "--no-clean-up"
-                 : !arguments.second_look ? "--no-second-look"
-                                          : "--radius");
-  }
+  append_given(ThresholdUse::clean_up, arguments.thresholds, names);
+  warn_of_idle(job, names, without_clean_up(arguments));
+  warn_of_idle(job, given_thresholds(ThresholdUse::second_look, arguments.thresholds),
+               without_second_look(arguments));
 }
 
 StageOptions options_of(const ReconstructArguments& arguments) {

@@ -20,7 +20,6 @@ ReconstructOptions effective_options(ReconstructOptions options) {
   if (options.mode == Mode::paper) {
     options.boundary.radius_mode = RadiusMode::cocone;
     options.peel.deferred_seeding = false;
-    options.second_look.enabled = false;
     options.keep_cavities = false;
     options.clean_up.enabled = false;
   }

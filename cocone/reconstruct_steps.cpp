@@ -254,8 +254,7 @@ void ReconstructSteps::count_surface() {
 }
 
 bool ReconstructSteps::is_contradictory(std::size_t conflicts) const {
-  return options_.boundary.radius_mode == RadiusMode::tangent_plane &&
-         cocoon::is_contradictory(options_.second_look, conflicts, result_.vertices);
+  return cocoon::is_contradictory(options_.second_look, conflicts, result_.vertices);
 }
 
 double ReconstructSteps::cost_of_result() const {

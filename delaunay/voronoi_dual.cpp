@@ -10,6 +10,7 @@
 #include "delaunay/voronoi/lean_dual.h"
 
 namespace cocoon {
+
 Dual voronoi_dual(const Triangulation& triangulation, const Execution& execution) {
   report_progress(execution, "voronoi_dual", 0);
   Dual dual;

@@ -35,12 +35,12 @@ struct FourWideVectors {
   FourWide x, y, z;
 };
 
-// What a + b, rounded to `sum`, leaves out.
-HWY_INLINE Four error_of_sum(const Four& a, const Four& b, const Four& sum) {
-  const Four b_part = sum - a;
-  return (a - (sum - b_part)) + (b - b_part);
+// Exact: the rounded result, and what it leaves out.
+HWY_INLINE FourWide wide_sum(const Four& a, const Four& b) {
+  const Four high = a + b;
+  const Four b_part = high - a;
+  return {high, (a - (high - b_part)) + (b - b_part)};
 }
-
 HWY_INLINE FourWide wide_difference(const Four& a, const Four& b) {
   const Four high = a - b;
   const Four b_part = a - high;
@@ -56,8 +56,8 @@ HWY_INLINE FourWide operator*(const FourWide& a, const FourWide& b) {
   return {high, multiply_add(a.low, b.high, multiply_add(a.high, b.low, error))};
 }
 HWY_INLINE FourWide operator+(const FourWide& a, const FourWide& b) {
-  const Four high = a.high + b.high;
-  return {high, error_of_sum(a.high, b.high, high) + (a.low + b.low)};
+  const FourWide high = wide_sum(a.high, b.high);
+  return {high.high, high.low + (a.low + b.low)};
 }
 HWY_INLINE FourWide operator-(const FourWide& a, const FourWide& b) {
   const FourWide high = wide_difference(a.high, b.high);
