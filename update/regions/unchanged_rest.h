@@ -1,5 +1,4 @@
-// Which vertices of the model were neither scanned again nor changed, though what a rim encloses
-// has them.
+// Which vertices of the model were neither scanned again nor changed, though a rim encloses them.
 #pragma once
 
 #include <span>
