@@ -1,18 +1,22 @@
 #include "update/report/overlooked_vertices.h"
 
+#include <algorithm>
+
 #include "geom/messages/require_size.h"
 #include "update/cloud/rim_index.h"
 #include "update/cloud/scanned_places.h"
+#include "update/model/require_ascending.h"
 #include "update/stage_options.h"
 
 namespace cocoon {
 
-OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacement& replacement,
+OverlookedVertices overlooked_vertices(const ModelIndex& model, std::span<const VertexId> removed,
                                        std::span<const CloudRim> rims,
                                        std::span<const NearestPointTree> clouds,
                                        const OverlookedOptions& options) {
   require_options("overlooked_vertices", options);
   require_size("overlooked_vertices", "trees of samples", clouds.size(), rims.size());
+  require_ascending("overlooked_vertices", "removed vertices", removed, model.mesh().points.size());
   const RimIndex rim_index(rims);
   if (rim_index.empty()) return {};
   ScannedPlaces scanned;
@@ -25,7 +29,7 @@ OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacemen
     const Point& p = model.mesh().points[v];
     if (!model.is_used(v) || !scanned.contain(p)) return;
     ++found.scanned;
-    if (replacement.point_of_vertex[v].is_none()) return;
+    if (std::binary_search(removed.begin(), removed.end(), v)) return;
     ++found.kept;
     const RimSide side = rim_index.side_of(p);
     const double edges = side.distance / rims[side.rim].median_edge;

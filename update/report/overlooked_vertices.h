@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "geom/ids.h"
 #include "geom/search/nearest_point.h"
 #include "update/cloud_rim.h"
 #include "update/model/model_index.h"
-#include "update/replace_points.h"
 
 namespace cocoon {
 
@@ -57,10 +57,12 @@ struct OverlookedVertices {
 // regions that stay wrongly, not those that go wrongly. Where all of a rim is wrong, as that of a
 // thin plate's scan that is torn at the mouths of a hole, no vertex is far from it, but many of the
 // scanned ones stay.
-// clouds[i]: the samples of the cloud of rims[i], those that formed the border.
+// clouds[i]: the samples of the cloud of rims[i], those that formed the border. `removed`: the
+// vertices that go, ascending.
 // Complexity: O(v log n) for v vertices and n samples. Deterministic. Errors: InputError for
-// options out of range, or if not every rim has a tree. Source: ours.
-OverlookedVertices overlooked_vertices(const ModelIndex& model, const Replacement& replacement,
+// options out of range, if not every rim has a tree, and for vertices that are not ascending or
+// not of the model. Source: ours.
+OverlookedVertices overlooked_vertices(const ModelIndex& model, std::span<const VertexId> removed,
                                        std::span<const CloudRim> rims,
                                        std::span<const NearestPointTree> clouds,
                                        const OverlookedOptions& options = {});

@@ -64,15 +64,15 @@ void replace(UpdateRun& run, std::span<const CloudRim> rims,
              std::span<const NearestPointTree> trees) {
   UpdateResult& result = run.result;
   const OverlookedOptions& options = run.options.overlooked;
-  const auto replace_but = [&](const SaidVertices& said) {
-    return replace_points(*run.index, result.regions, result.choice, rims, run.clouds, run.given,
-                          run.options.replace, said);
+  const auto replaced_but = [&](const SaidVertices& said) {
+    return replaced_vertices(*run.index, result.regions, result.choice, rims, run.clouds,
+                             run.options.replace, said);
   };
-  result.replacement = replace_but({});
+  ReplacedVertices replaced = replaced_but({});
   const std::vector<VertexId> stay =
-      unchanged_rest(*run.index, result.replacement.removed, result.regions, result.choice,
+      unchanged_rest(*run.index, replaced.removed, result.regions, result.choice,
                      run.options.overrides.replaced, run.scans(), trees, run.options.unchanged);
-  result.overlooked = overlooked_vertices(*run.index, result.replacement, rims, trees, options);
+  result.overlooked = overlooked_vertices(*run.index, replaced.removed, rims, trees, options);
   std::vector<VertexId> go;
   if (options.go && result.overlooked.are_many(options)) {
     go = scanned_again(*run.index, result.overlooked.vertices, trees, run.outward());
@@ -81,7 +81,8 @@ void replace(UpdateRun& run, std::span<const CloudRim> rims,
       return std::find(kept.begin(), kept.end(), result.regions.group_of_vertex[v]) != kept.end();
     });
   }
-  if (!go.empty() || !stay.empty()) result.replacement = replace_but({go, stay});
+  if (!go.empty() || !stay.empty()) replaced = replaced_but({go, stay});
+  result.replacement = replace_points(*run.index, std::move(replaced), run.given);
 }
 
 }  // namespace

@@ -22,22 +22,27 @@ struct ScannedPlane {
   ModelIndex index{model};
   std::vector<std::vector<Point>> clouds;
   std::vector<CloudRim> rims;
-  Replacement replacement;
+  std::vector<VertexId> removed;
 
   ScannedPlane() {
     TriangleMesh surface = testing::grid_plane(10);
     for (Point& p : surface.points) p = p + Vec3{5, 5, 0.1};
     rims = {cloud_rim(surface)};
     clouds = {surface.points.raw()};
+  }
+  // From now on those go for which it is true, and no others.
+  template <class Test>
+  void remove_where(Test goes) {
+    removed.clear();
     for (const VertexId v : model.points.ids()) {
-      replacement.point_of_vertex.push_back(PointId(v.index()));
+      if (goes(model.points[v])) removed.push_back(v);
     }
   }
   std::size_t count(const OverlookedOptions& options = {}) const {
     return found(options).vertices.size();
   }
   OverlookedVertices found(const OverlookedOptions& options = {}) const {
-    return overlooked_vertices(index, replacement, rims, nearest_point_trees(clouds), options);
+    return overlooked_vertices(index, removed, rims, nearest_point_trees(clouds), options);
   }
 };
 
@@ -51,9 +56,7 @@ TEST(OverlookedVertices, ThoseThatStayAmongSamplesFarFromTheRim) {
   EXPECT_EQ(scene.model.points[scene.found().farthest], (Point{10, 10, 0}));
   EXPECT_EQ(scene.count({.min_rim_distance = 1.5}), 49U);
   EXPECT_EQ(scene.count({.reach = 0.09}), 0U);
-  for (const VertexId v : scene.model.points.ids()) {
-    if (scene.model.points[v].x > 9.5) scene.replacement.point_of_vertex[v] = PointId();
-  }
+  scene.remove_where([](const Point& p) { return p.x > 9.5; });
   EXPECT_EQ(scene.count(), 10U);
   EXPECT_EQ(scene.model.points[scene.found().farthest], (Point{9, 9, 0}));  // the first of three
   scene.rims[0].loops.clear();
@@ -70,19 +73,14 @@ TEST(OverlookedVertices, AreDoubtfulIfALargeShareOfWhatWasScannedStays) {
     EXPECT_EQ(found.is_doubtful(options), found.are_large_share(options));
     return found.is_doubtful(options);
   };
-  for (const VertexId v : scene.model.points.ids()) {
-    const Point& p = scene.model.points[v];
-    if (p.x > 5.5 && p.x < 14.5) scene.replacement.point_of_vertex[v] = PointId();
-  }
+  const auto is_amid = [](const Point& p) { return p.x > 5.5 && p.x < 14.5; };
+  scene.remove_where(is_amid);
   EXPECT_EQ(scene.found().kept, 22U);  // on two sides of the rim
   EXPECT_EQ(scene.count(), 0U);
   EXPECT_FALSE(is_doubtful());
   EXPECT_TRUE(is_doubtful({.max_kept_share = 0.18}));
   EXPECT_FALSE(is_doubtful({.max_kept_share = 0.19}));
-  for (const VertexId v : scene.model.points.ids()) {
-    const Point& p = scene.model.points[v];
-    if (p.y < 6.5 && p.y > 4.5) scene.replacement.point_of_vertex[v] = PointId(v.index());
-  }
+  scene.remove_where([&](const Point& p) { return is_amid(p) && !(p.y < 6.5 && p.y > 4.5); });
   EXPECT_EQ(scene.found().kept, 40U);  // 18 more: a third
   EXPECT_TRUE(is_doubtful());
   EXPECT_FALSE(is_doubtful({.min_kept = 41}));
