@@ -7,14 +7,11 @@
 #include <vector>
 
 #include "cocone/candidate_triangles.h"
-#include "cocone/checks/surface_roughness.h"
 #include "cocone/checks/verify_surface.h"
-#include "cocone/clean_up_cells.h"
+#include "cocone/close_body.h"
 #include "cocone/cocones.h"
 #include "cocone/mark_cells.h"
 #include "cocone/marking/certain_surface.h"
-#include "cocone/marking/likely_labels.h"
-#include "cocone/marking/yielding_labels.h"
 #include "cocone/orient_surface.h"
 #include "cocone/peel_cells.h"
 #include "cocone/prune_sharp_edges.h"
@@ -33,9 +30,6 @@ namespace {
 bool is_flawed(const CleanUpCounters& clean_up) {
   return clean_up.left_cells + clean_up.defects_after + clean_up.unused_after != 0;
 }
-
-// Whether something is left to be decided by the clean-up.
-bool is_in_doubt(const CellMarks& marks) { return marks.poor_cells != 0 || marks.conflicts != 0; }
 
 }  // namespace
 
@@ -143,46 +137,59 @@ void ReconstructSteps::close_surface(const KnownLabelsSource& known) {
       return *told_;
     };
   }
-  run_step(execution_, "tight", [&](const Execution& nested) {
-    if (live_ != nullptr) return close_by(mark_by_caller(source, nested), source, nested);
-    GoodVertices good = find_good_vertices(nested);
-    if (is_certain(*triangulation_, surface_, good, nested)) {
-      return deliver_certain(std::move(good), nested);
-    }
-    CellMarks marks =
-        mark_cells(*triangulation_, surface_.triangles, std::move(good), source, nested);
-    if (!source) forget_links();
-    if (stages_ != nullptr) stages_->marks = marks;
-    close_by(std::move(marks), source, nested);
+  std::optional<CellMarks> marks = mark(source);
+  if (!marks) return;
+  if (is_contradictory(options_.second_look, marks->conflicts, result_.vertices) &&
+      look_again(*marks, source)) {
+    return keep_good(std::move(*marks));
+  }
+  close_by(std::move(*marks), source);
+}
+
+std::optional<CellMarks> ReconstructSteps::mark(const KnownLabelsSource& known) {
+  return run_step(
+      execution_, "tight/marks", [&](const Execution& nested) -> std::optional<CellMarks> {
+        if (live_ != nullptr) return peel(mark_by_caller(known, nested), nested);
+        GoodVertices good = find_good_vertices(nested);
+        if (is_certain(*triangulation_, surface_, good, nested)) {
+          deliver_certain(std::move(good), nested);
+          return std::nullopt;
+        }
+        CellMarks marks =
+            mark_cells(*triangulation_, surface_.triangles, std::move(good), known, nested);
+        if (!known) forget_links();
+        if (stages_ != nullptr) stages_->marks = marks;
+        return peel(std::move(marks), nested);
+      });
+}
+
+bool ReconstructSteps::look_again(const CellMarks& first, const KnownLabelsSource& known) {
+  result_.counters.first_conflicts = first.conflicts;
+  ReconstructOptions options = options_;
+  options.boundary.radius_mode = RadiusMode::cocone;
+  return run_step(execution_, "second_look", [&](const Execution& nested) {
+    ReconstructSteps again(points_, options, nested);
+    again.refer_to(*triangulation_);
+    if (!again.close_with_less(first.conflicts, known)) return false;
+    ReconstructCounters& counters = again.result_.counters;
+    counters.delaunay = result_.counters.delaunay;
+    counters.first_conflicts = first.conflicts;
+    counters.second_look = 1;
+    result_ = std::move(again.result_);
+    triangulation_vertex_ = std::move(again.triangulation_vertex_);
+    return true;
   });
 }
 
-void ReconstructSteps::look_again(const KnownLabelsSource& known) {
-  const std::size_t first_conflicts = result_.counters.marking_conflicts;
-  if (!is_contradictory(first_conflicts) || result_.status != SurfaceStatus::ok) return;
-  const double first_cost = cost_of_result();
-  if (first_cost <= cost_of({.parts = 1}, options_.clean_up)) return;  // none is less
-  result_.counters.first_conflicts = first_conflicts;
-  ReconstructOptions options = options_;
-  options.boundary.radius_mode = RadiusMode::cocone;
-  options.verify = false;
-  run_step(execution_, "second_look", [&](const Execution& nested) {
-    ReconstructSteps again(points_, options, nested);
-    again.refer_to(*triangulation_);
-    again.told_ = std::move(told_);
-    again.find_poles();
-    again.build_surface();
-    again.close_surface(known);
-    ReconstructResult& second = again.result_;
-    if (second.status != SurfaceStatus::ok || second.counters.marking_conflicts >= first_conflicts)
-      return;
-    if (again.cost_of_result() >= first_cost) return;
-    second.counters.delaunay = result_.counters.delaunay;
-    second.counters.first_conflicts = first_conflicts;
-    second.counters.second_look = 1;
-    result_ = std::move(second);
-    triangulation_vertex_ = std::move(again.triangulation_vertex_);
-  });
+bool ReconstructSteps::close_with_less(std::size_t conflicts, const KnownLabelsSource& known) {
+  find_poles();
+  build_surface();
+  if (boundary_.interior() == 0) return false;
+  if (std::optional<CellMarks> marks = mark(known)) {
+    if (marks->conflicts >= conflicts) return false;
+    close_by(std::move(*marks), known);
+  }
+  return result_.status == SurfaceStatus::ok;
 }
 
 void ReconstructSteps::deliver_open_surface() {
@@ -208,7 +215,6 @@ ReconstructResult ReconstructSteps::tight_result(const KnownLabelsSource& known)
   find_poles();
   build_surface();
   close_surface(known);
-  look_again(known);
   verify(true);
   return take_result();
 }
@@ -253,14 +259,6 @@ void ReconstructSteps::count_surface() {
   counters.back_contacts = surface_.back_contacts;
 }
 
-bool ReconstructSteps::is_contradictory(std::size_t conflicts) const {
-  return cocoon::is_contradictory(options_.second_look, conflicts, result_.vertices);
-}
-
-double ReconstructSteps::cost_of_result() const {
-  return cost_of(surface_roughness(result_.mesh, result_.vertices, execution_), options_.clean_up);
-}
-
 CellMarks ReconstructSteps::mark_by_caller(const KnownLabelsSource& known,
                                            const Execution& execution) const {
   return live_->mark(*triangulation_, surface_.triangles, boundary_.boundary, known,
@@ -283,150 +281,31 @@ CellMarks ReconstructSteps::peel(CellMarks marks, const Execution& execution) co
                     execution);
 }
 
-void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known,
-                                const Execution& execution) {
-  marks = peel(std::move(marks), execution);
-  const bool in_doubt = is_in_doubt(marks);
-  const bool all_visited = marks.visited_vertices == marks.good_vertices;
-  KnownLabels told;
-  if (known && (in_doubt || !all_visited)) {
-    told = known(*triangulation_, surface_.triangles.set, execution);
-  }
-  // Else the marking may have to be done again.
-  if (told.likely.empty() && told.undisturbed.empty()) forget_links();
-  Attempt best;
-  if (!in_doubt) {
-    best.body = clean_up(std::move(marks), execution);
-  } else {
-    best = clean_up_knowing(std::move(marks), told, execution);
-  }
-  if (!told.likely.empty()) heed_likely(told, in_doubt, best, execution);
-  forget_links();
-  result_.counters.yielded_cells = best.yielded_cells;
-  deliver(std::move(best.body), execution);
+void ReconstructSteps::keep_good(CellMarks marks) {
+  umbrellas_ = marks.good_vertices + marks.folded.size() + marks.refuted_vertices;
+  good_ = std::move(marks.good);
 }
 
-void ReconstructSteps::heed_likely(const KnownLabels& told, bool in_doubt, Attempt& best,
-                                   const Execution& execution) {
-  ReconstructCounters& counters = result_.counters;
-  const IdVector<CellId, CellLabel>& likely = told.likely;
-  const auto contradicted = [&] { return count_contradicted(likely, best.body.marks.reached); };
-  const auto are_too_many = [&](std::size_t cells) {
-    return static_cast<double>(cells) >
-           options_.max_contradicted_likely * static_cast<double>(counters.likely_cells);
-  };
-  counters.likely_cells = count_labels(likely);
-  counters.contradicted_likely = contradicted();
-  if (!are_too_many(counters.contradicted_likely)) return;
-  const auto roughness = [&](const Attempt& of) {
-    return surface_roughness(surface_between(*triangulation_, of.body.marks, execution).mesh,
-                             result_.vertices, execution);
-  };
-  SurfaceRoughness least = roughness(best);
-  const bool is_foreign = !told.undisturbed.empty();
-  KnownLabels taken;
-  taken.undisturbed = told.undisturbed;
-  taken.labels = with_likely(told);
-  const auto offer = [&](CellMarks marks) {
-    Attempt other = clean_up_knowing(peel(std::move(marks), execution), taken, execution);
-    const SurfaceRoughness rough = roughness(other);
-    if (!rough.is_at_most(least, options_.max_unused_per_part)) return;
-    counters.heeded_likely = counters.likely_cells;
-    best = std::move(other);
-    least = rough;
-  };
-  if (in_doubt) {
-    const auto source = [&](const auto&...) { return taken; };
-    offer(mark_cells(*triangulation_, surface_.triangles, find_good_vertices(execution), source,
-                     execution));
-    if (!are_too_many(contradicted())) return;
-  }
-  // A mesh of another program contradicts many good vertices.
-  offer(mark_undoubted_cells(*triangulation_, surface_.triangles, find_good_vertices(execution),
-                             is_foreign ? likely : taken.labels, likely, execution));
-}
-
-ReconstructSteps::Attempt ReconstructSteps::clean_up_knowing(CellMarks marks,
-                                                             const KnownLabels& told,
-                                                             const Execution& execution) const {
-  if (!told.undisturbed.empty()) return clean_up_foreign(marks, told.labels, execution);
-  // The marking has asked already if good vertices disagreed.
-  if (marks.known.empty()) marks.known = told.labels;
-  Attempt attempt;
-  attempt.body = clean_up(std::move(marks), execution);
-  return attempt;
-}
-
-ReconstructSteps::Attempt ReconstructSteps::clean_up_foreign(
-    const CellMarks& marks, const IdVector<CellId, CellLabel>& told,
-    const Execution& execution) const {
-  require_size("reconstruct_tight_with_labels", "labels of cells that are known beforehand",
-               told.size(), triangulation_->num_cells());
-  return marks.known.empty() ? clean_up_yielding(marks, told, execution)
-                             : with_or_without(marks, told, execution);
-}
-
-ReconstructSteps::Attempt ReconstructSteps::with_or_without(const CellMarks& asked,
-                                                            const IdVector<CellId, CellLabel>& told,
-                                                            const Execution& execution) const {
-  CellMarks unasked = mark_cells(*triangulation_, surface_.triangles, find_good_vertices(execution),
-                                 KnownLabelsSource(), execution);
-  const bool contradict = unasked.conflicts != 0;
-  Attempt without = clean_up_yielding(peel(std::move(unasked), execution), told, execution);
-  if (!contradict) return without;
-  Attempt with = clean_up_yielding(asked, told, execution);
-  const auto rank = [](const Attempt& attempt) {
-    const VertexSet& contradicted = attempt.body.marks.contradicted;
-    return std::pair(attempt.unused, std::count(contradicted.begin(), contradicted.end(), 1));
-  };
-  return rank(with) < rank(without) ? std::move(with) : std::move(without);
-}
-
-ReconstructSteps::Attempt ReconstructSteps::clean_up_yielding(const CellMarks& marks,
-                                                              IdVector<CellId, CellLabel> told,
-                                                              const Execution& execution) const {
-  Attempt best;
-  const unsigned rounds = options_.clean_up.enabled ? options_.yield_rounds : 0;
-  std::size_t yielded = 0;
-  std::size_t fewest = 0;
-  for (unsigned round = 0; round <= rounds; ++round) {
-    CellMarks known = marks;
-    known.known = told;
-    Body body = clean_up(std::move(known), execution);
-    const SurfaceMesh surface = surface_between(*triangulation_, body.marks, execution);
-    const std::vector<VertexId> touching = touching_vertices(surface, execution);
-    const std::size_t unused = result_.vertices - surface.mesh.points.size();
-    if (round == 0 || touching.size() + unused < fewest) {
-      best.body = std::move(body);
-      best.unused = unused;
-      best.yielded_cells = yielded;
-      fewest = touching.size() + unused;
+void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known) {
+  run_step(execution_, "tight/body", [&](const Execution& nested) {
+    KnownLabels told;
+    const bool all_visited = marks.visited_vertices == marks.good_vertices;
+    if (known && (is_in_doubt(marks) || !all_visited)) {
+      told = known(*triangulation_, surface_.triangles.set, nested);
     }
-    if (touching.empty() || round == rounds) break;
-    const std::size_t more = yield_labels(*triangulation_, touching, round, marks.good, told);
-    if (more == 0) break;
-    yielded += more;
-  }
-  return best;
+    if (!needs_links(told)) forget_links();
+    ClosedBody body = close_body({*triangulation_, surface_.triangles, boundary_.boundary, poles_,
+                                  live_ != nullptr ? &live_->cell_at : nullptr},
+                                 std::move(marks), told, options_, nested);
+    forget_links();
+    deliver(std::move(body), nested);
+  });
 }
 
-ReconstructSteps::Body ReconstructSteps::clean_up(CellMarks marks,
-                                                  const Execution& execution) const {
-  Body body;
-  body.clean_up = clean_up_cells(*triangulation_, poles_, marks, options_.clean_up,
-                                 live_ != nullptr ? &live_->cell_at : nullptr, execution);
-  if (options_.keep_cavities) {
-    body.cavities = open_cavities(*triangulation_, surface_.triangles.set, marks, execution);
-  }
-  body.marks = std::move(marks);
-  return body;
-}
-
-void ReconstructSteps::deliver(Body body, const Execution& execution) {
+void ReconstructSteps::deliver(ClosedBody body, const Execution& execution) {
   CellMarks& marks = body.marks;
-  // A second look needs the mesh.
-  const bool is_to_be_seen = is_flawed(body.clean_up) || is_contradictory(marks.conflicts);
-  if (live_ != nullptr && live_->take_body(*triangulation_, marks.reached, is_to_be_seen)) {
+  if (live_ != nullptr &&
+      live_->take_body(*triangulation_, marks.reached, is_flawed(body.clean_up))) {
     result_.status = SurfaceStatus::ok;
   } else {
     deliver(surface_between(*triangulation_, marks, execution));
@@ -435,6 +314,10 @@ void ReconstructSteps::deliver(Body body, const Execution& execution) {
   ReconstructCounters& counters = result_.counters;
   counters.clean_up = body.clean_up;
   counters.cavities = body.cavities;
+  counters.yielded_cells = body.yielded_cells;
+  counters.likely_cells = body.likely_cells;
+  counters.contradicted_likely = body.contradicted_likely;
+  counters.heeded_likely = body.heeded_likely;
   counters.good_vertices = marks.good_vertices;
   counters.demoted_vertices = marks.folded.size();
   counters.unvisited_vertices = marks.good_vertices - marks.visited_vertices;
@@ -444,9 +327,8 @@ void ReconstructSteps::deliver(Body body, const Execution& execution) {
   counters.refuted_vertices = marks.refuted_vertices;
   counters.poor_cells = marks.poor_cells;
   counters.deferred_seeds = marks.deferred_seeds;
-  umbrellas_ = counters.good_vertices + counters.demoted_vertices + counters.refuted_vertices;
-  good_ = std::move(marks.good);
   if (stages_ != nullptr) stages_->out = std::move(marks.reached);
+  keep_good(std::move(marks));
 }
 
 std::vector<PointId> ReconstructSteps::points_at(VertexSet vertices) const {

@@ -7,6 +7,7 @@
 
 #include "cocone/boundary_samples.h"
 #include "cocone/cell_marks.h"
+#include "cocone/close_body.h"
 #include "cocone/extract_manifold.h"
 #include "cocone/facet_set.h"
 #include "cocone/known_labels.h"
@@ -25,8 +26,8 @@
 namespace cocoon {
 
 // First a triangulation: triangulate(), take() or refer_to(). Then tight_result(); or find_poles(),
-// build_surface(), deliver_open_surface() and verify(false); or extract_from(), close_surface(),
-// look_again() and verify(true). At last take_result(), unless a step has returned it.
+// build_surface(), deliver_open_surface() and verify(false); or extract_from(), close_surface() and
+// verify(true). At last take_result(), unless a step has returned it.
 // Errors and complexity: those of the compositions (reconstruct.h, reconstruct_stages.h).
 class ReconstructSteps {
  public:
@@ -55,11 +56,9 @@ class ReconstructSteps {
   // What find_poles() and build_surface() do, but for what is known.
   void extract_from(KnownCandidates candidates);
 
+  // With a second look (second_look.h), if there is to be one. If what it finds is taken,
+  // take_surface() and the stages get what the first one has found, and no body.
   void close_surface(const KnownLabelsSource& known);
-
-  // The second look (second_look.h), if there is to be one. If what it finds is taken, all that
-  // take_surface() and the stages get stays that of the first.
-  void look_again(const KnownLabelsSource& known);
 
   void deliver_open_surface();
 
@@ -78,57 +77,26 @@ class ReconstructSteps {
 
   void count_surface();
 
-  // Whether a second look follows marks with so many conflicts.
-  bool is_contradictory(std::size_t conflicts) const;
-  double cost_of_result() const;
-
+  // With the peel. None if the surface is certain: then it is delivered.
+  std::optional<CellMarks> mark(const KnownLabelsSource& known);
   CellMarks mark_by_caller(const KnownLabelsSource& known, const Execution& execution) const;
+  // Whether the second look was better than what led to such marks, and its result is the result.
+  bool look_again(const CellMarks& first, const KnownLabelsSource& known);
+  // Closes a surface whose marks contradict each other less often, if there is one.
+  bool close_with_less(std::size_t conflicts, const KnownLabelsSource& known);
 
+  // What take_surface() tells of good vertices.
+  void keep_good(CellMarks marks);
   GoodVertices find_good_vertices(const Execution& execution) const;
 
   // A third as much memory as the triangulation has. What is left of the links is the set of
   // facets.
   void forget_links();
 
-  // What is inside in the end.
-  struct Body {
-    CellMarks marks;
-    CleanUpCounters clean_up;
-    CavityCounters cavities;
-  };
-  struct Attempt {
-    Body body;
-    std::size_t unused = 0;  // samples that are not on the surface
-    std::size_t yielded_cells = 0;
-  };
   CellMarks peel(CellMarks marks, const Execution& execution) const;
-  // All that follows the marking.
-  void close_by(CellMarks marks, const KnownLabelsSource& known, const Execution& execution);
-  // Makes the body again with what is likely taken for known, if too much of that contradicts it:
-  // first with marks as they are where it is known, then, if still too much does, by marks that
-  // leave more to the clean-up (mark_undoubted_cells). Takes those whose surfaces are no rougher.
-  void heed_likely(const KnownLabels& told, bool in_doubt, Attempt& best,
-                   const Execution& execution);
-  // What follows the peel. `told` counts unless the marking has asked for labels already, as where
-  // good vertices disagreed.
-  Attempt clean_up_knowing(CellMarks marks, const KnownLabels& told,
-                           const Execution& execution) const;
-  // The same where a mesh that is none of ours (KnownLabels::undisturbed) tells.
-  Attempt clean_up_foreign(const CellMarks& marks, const IdVector<CellId, CellLabel>& told,
-                           const Execution& execution) const;
-  // Where the marking has asked it: such a mesh cuts sharp edges otherwise than the facets do, and
-  // refutes many good vertices. So the marking is done once more without. What it told is taken
-  // only if those marks contradict each other, and if fewer samples are unused then or, of as many,
-  // fewer vertices contradicted.
-  Attempt with_or_without(const CellMarks& asked, const IdVector<CellId, CellLabel>& told,
-                          const Execution& execution) const;
-  // The clean-up of what is peeled. Where the surface touches itself `told` yields to good
-  // vertices, in each round a cell farther off, until it touches itself nowhere or nothing is left
-  // to yield. The round with the fewest vertices at which it does, or that are not on it, is taken.
-  Attempt clean_up_yielding(const CellMarks& marks, IdVector<CellId, CellLabel> told,
-                            const Execution& execution) const;
-  Body clean_up(CellMarks marks, const Execution& execution) const;
-  void deliver(Body body, const Execution& execution);
+  // All that follows the peel.
+  void close_by(CellMarks marks, const KnownLabelsSource& known);
+  void deliver(ClosedBody body, const Execution& execution);
 
   // What close_by() would: nothing is left to be decided.
   void deliver_certain(GoodVertices good, const Execution& execution);

@@ -5,15 +5,13 @@
 // (RadiusMode), and most surfaces are the better for it. But where a wall is thinner than the
 // spacing its two sides take each other's samples for neighbors, are good all the same, and
 // disagree about what is inside. With the cocone's radius they are boundary samples, and the
-// clean-up decides.
+// clean-up decides. So both surfaces are marked, and the one whose marks contradict each other less
+// often is closed.
 //
 // Source: ours, docs/stages/mark_cells.md.
 #pragma once
 
 #include <cstddef>
-
-#include "cocone/checks/surface_roughness.h"
-#include "cocone/clean_up_cells.h"
 
 namespace cocoon {
 
@@ -27,9 +25,5 @@ struct SecondLookOptions {
 
 // Whether so many conflicts are too many. Complexity: O(1).
 bool is_contradictory(const SecondLookOptions& options, std::size_t conflicts, std::size_t samples);
-
-// What the clean-up makes parts, handles and samples without a place cost: the surface for which
-// that is less is taken, if its marks contradict each other less often. Complexity: O(1).
-double cost_of(const SurfaceRoughness& roughness, const CleanUpOptions& costs);
 
 }  // namespace cocoon

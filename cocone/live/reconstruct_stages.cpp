@@ -28,7 +28,6 @@ ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
   steps.refer_to(triangulation);
   steps.extract_from(std::move(candidates));
   steps.close_surface(known);
-  steps.look_again(known);
   steps.verify(true);
   surface = steps.take_surface();
   return steps.take_result();

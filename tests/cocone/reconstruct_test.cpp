@@ -467,7 +467,7 @@ TEST(Reconstruct, ReportsItsStages) {
   Recorder recorder;
   reconstruct_tight(points, {}, {.progress = &recorder});
   for (const char* stage :
-       {"delaunay", "poles", "cocone/cones", "boundary", "cocone/surface", "tight"}) {
+       {"delaunay", "poles", "cocone/cones", "boundary", "cocone/surface", "tight/marks"}) {
     EXPECT_EQ(recorder.finished[stage], 1) << stage;
   }
   Recorder stopping;

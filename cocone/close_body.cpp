@@ -1,0 +1,199 @@
+#include "cocone/close_body.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "cocone/checks/surface_roughness.h"
+#include "cocone/mark_cells.h"
+#include "cocone/marking/likely_labels.h"
+#include "cocone/marking/yielding_labels.h"
+#include "cocone/surface_mesh.h"
+#include "cocone/umbrella.h"
+#include "geom/messages/require_size.h"
+
+namespace cocoon {
+
+namespace {
+
+class BodyCloser {
+ public:
+  BodyCloser(const MarkedSurface& marked, const ReconstructOptions& options,
+             const Execution& execution)
+      : triangulation_(marked.triangulation),
+        surface_(marked.surface),
+        boundary_(marked.boundary),
+        poles_(marked.poles),
+        cell_at_(marked.cell_at),
+        options_(options),
+        execution_(execution) {}
+
+  ClosedBody clean_up(CellMarks marks) const;
+  // `told` counts unless the marking has asked for labels already, as where good vertices
+  // disagreed.
+  ClosedBody clean_up_knowing(CellMarks marks, const KnownLabels& told) const;
+  // Makes the body again with what is likely taken for known, if too much of that contradicts it:
+  // first with marks as they are where it is known, then, if still too much does, by marks that
+  // leave more to the clean-up (mark_undoubted_cells). Takes those whose surfaces are no rougher.
+  void heed_likely(const KnownLabels& told, bool in_doubt, ClosedBody& best) const;
+
+ private:
+  struct Attempt {
+    ClosedBody body;
+    std::size_t unused = 0;  // samples that are not on the surface
+  };
+  // clean_up_knowing where a mesh that is none of ours tells.
+  ClosedBody clean_up_foreign(const CellMarks& marks,
+                              const IdVector<CellId, CellLabel>& told) const;
+  // Where the marking has asked it: such a mesh cuts sharp edges otherwise than the facets do, and
+  // refutes many good vertices. So the marking is done once more without. What it told is taken
+  // only if those marks contradict each other, and if fewer samples are unused then or, of as many,
+  // fewer vertices contradicted.
+  ClosedBody with_or_without(const CellMarks& asked, const IdVector<CellId, CellLabel>& told) const;
+  // The clean-up of what is peeled. Where the surface touches itself `told` yields to good
+  // vertices, in each round a cell farther off, until it touches itself nowhere or nothing is left
+  // to yield. The round with the fewest vertices at which it does, or that are not on it, is taken.
+  Attempt clean_up_yielding(const CellMarks& marks, IdVector<CellId, CellLabel> told) const;
+
+  SurfaceRoughness roughness(const ClosedBody& body) const {
+    return surface_roughness(surface_between(triangulation_, body.marks, execution_).mesh,
+                             triangulation_.num_vertices(), execution_);
+  }
+  GoodVertices find_good_vertices() const {
+    return good_vertices(surface_, boundary_, options_.good_vertices, execution_);
+  }
+  CellMarks mark(const KnownLabelsSource& known) const {
+    return mark_cells(triangulation_, surface_, find_good_vertices(), known, execution_);
+  }
+  CellMarks peel(CellMarks marks) const {
+    return peel_cells(triangulation_, surface_.set, std::move(marks), options_.peel, execution_);
+  }
+
+  const Triangulation& triangulation_;
+  const LinkedFacets& surface_;
+  const VertexSet& boundary_;
+  const Poles& poles_;
+  const IdVector<VertexId, CellId>* cell_at_;
+  const ReconstructOptions& options_;
+  const Execution& execution_;
+};
+
+ClosedBody BodyCloser::clean_up(CellMarks marks) const {
+  ClosedBody body;
+  body.clean_up =
+      clean_up_cells(triangulation_, poles_, marks, options_.clean_up, cell_at_, execution_);
+  if (options_.keep_cavities) {
+    body.cavities = open_cavities(triangulation_, surface_.set, marks, execution_);
+  }
+  body.marks = std::move(marks);
+  return body;
+}
+
+ClosedBody BodyCloser::clean_up_knowing(CellMarks marks, const KnownLabels& told) const {
+  if (!told.undisturbed.empty()) return clean_up_foreign(marks, told.labels);
+  // The marking has asked already if good vertices disagreed.
+  if (marks.known.empty()) marks.known = told.labels;
+  return clean_up(std::move(marks));
+}
+
+ClosedBody BodyCloser::clean_up_foreign(const CellMarks& marks,
+                                        const IdVector<CellId, CellLabel>& told) const {
+  require_size("reconstruct_tight_with_labels", "labels of cells that are known beforehand",
+               told.size(), triangulation_.num_cells());
+  return marks.known.empty() ? clean_up_yielding(marks, told).body : with_or_without(marks, told);
+}
+
+ClosedBody BodyCloser::with_or_without(const CellMarks& asked,
+                                       const IdVector<CellId, CellLabel>& told) const {
+  CellMarks unasked = mark(KnownLabelsSource());
+  const bool contradict = unasked.conflicts != 0;
+  Attempt without = clean_up_yielding(peel(std::move(unasked)), told);
+  if (!contradict) return std::move(without.body);
+  Attempt with = clean_up_yielding(asked, told);
+  const auto rank = [](const Attempt& attempt) {
+    const VertexSet& contradicted = attempt.body.marks.contradicted;
+    return std::pair(attempt.unused, std::count(contradicted.begin(), contradicted.end(), 1));
+  };
+  return std::move((rank(with) < rank(without) ? with : without).body);
+}
+
+BodyCloser::Attempt BodyCloser::clean_up_yielding(const CellMarks& marks,
+                                                  IdVector<CellId, CellLabel> told) const {
+  Attempt best;
+  const unsigned rounds = options_.clean_up.enabled ? options_.yield_rounds : 0;
+  std::size_t yielded = 0;
+  std::size_t fewest = 0;
+  for (unsigned round = 0; round <= rounds; ++round) {
+    CellMarks known = marks;
+    known.known = told;
+    ClosedBody body = clean_up(std::move(known));
+    const SurfaceMesh surface = surface_between(triangulation_, body.marks, execution_);
+    const std::vector<VertexId> touching = touching_vertices(surface, execution_);
+    const std::size_t unused = triangulation_.num_vertices() - surface.mesh.points.size();
+    if (round == 0 || touching.size() + unused < fewest) {
+      best.body = std::move(body);
+      best.body.yielded_cells = yielded;
+      best.unused = unused;
+      fewest = touching.size() + unused;
+    }
+    if (touching.empty() || round == rounds) break;
+    const std::size_t more = yield_labels(triangulation_, touching, round, marks.good, told);
+    if (more == 0) break;
+    yielded += more;
+  }
+  return best;
+}
+
+void BodyCloser::heed_likely(const KnownLabels& told, bool in_doubt, ClosedBody& best) const {
+  const IdVector<CellId, CellLabel>& likely = told.likely;
+  const std::size_t cells = count_labels(likely);
+  const auto contradicted = [&] { return count_contradicted(likely, best.marks.reached); };
+  const auto are_too_many = [&](std::size_t of_these) {
+    return static_cast<double>(of_these) >
+           options_.max_contradicted_likely * static_cast<double>(cells);
+  };
+  const std::size_t at_first = contradicted();
+  bool is_heeded = false;
+  const auto note = [&] {
+    best.likely_cells = cells;
+    best.contradicted_likely = at_first;
+    best.heeded_likely = is_heeded ? cells : 0;
+  };
+  note();
+  if (!are_too_many(at_first)) return;
+  SurfaceRoughness least = roughness(best);
+  KnownLabels taken;
+  taken.undisturbed = told.undisturbed;
+  taken.labels = with_likely(told);
+  const auto offer = [&](CellMarks marks) {
+    ClosedBody other = clean_up_knowing(peel(std::move(marks)), taken);
+    const SurfaceRoughness rough = roughness(other);
+    if (!rough.is_at_most(least, options_.max_unused_per_part)) return;
+    is_heeded = true;
+    best = std::move(other);
+    least = rough;
+    note();
+  };
+  if (in_doubt) {
+    offer(mark([&](const auto&...) { return taken; }));
+    if (!are_too_many(contradicted())) return;
+  }
+  // A mesh of another program contradicts many good vertices.
+  const bool is_foreign = !told.undisturbed.empty();
+  offer(mark_undoubted_cells(triangulation_, surface_, find_good_vertices(),
+                             is_foreign ? likely : taken.labels, likely, execution_));
+}
+
+}  // namespace
+
+ClosedBody close_body(const MarkedSurface& marked, CellMarks peeled, const KnownLabels& told,
+                      const ReconstructOptions& options, const Execution& execution) {
+  const BodyCloser closer(marked, options, execution);
+  const bool in_doubt = is_in_doubt(peeled);
+  ClosedBody body = in_doubt ? closer.clean_up_knowing(std::move(peeled), told)
+                             : closer.clean_up(std::move(peeled));
+  if (!told.likely.empty()) closer.heed_likely(told, in_doubt, body);
+  return body;
+}
+
+}  // namespace cocoon
