@@ -56,7 +56,10 @@ ModelInput read_model_input(Job& job, const std::string& name, const std::option
   ModelFile file = read_model(job, name, "input", properties);
   model.mesh = std::move(file.mesh);
   model.vertex_of_file = std::move(file.vertex_of);
-  if (!model.mesh.triangles.empty()) orient_model(job, name, "input", model.mesh);
+  if (!model.mesh.triangles.empty()) {
+    warn_of_unused_vertices(job, name, "input", model.mesh);
+    orient_model(job, name, "input", model.mesh);
+  }
   return model;
 }
 

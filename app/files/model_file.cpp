@@ -1,6 +1,9 @@
 #include "app/files/model_file.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <fmt/format.h>
 #include <utility>
 #include <vector>
 
@@ -57,6 +60,23 @@ ModelFile read_model(Job& job, const std::string& path, const std::string& secti
     *properties = select_rows(*properties, origins);
   }
   return {std::move(welded.mesh), std::move(welded.vertex_of)};
+}
+
+void warn_of_unused_vertices(Job& job, const std::string& path, const std::string& section,
+                             const TriangleMesh& mesh) {
+  IdVector<VertexId, std::uint8_t> is_unused(mesh.points.size(), 1);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const VertexId v : triangle) is_unused[v] = 0;
+  }
+  const auto unused =
+      static_cast<std::size_t>(std::count(is_unused.begin(), is_unused.end(), std::uint8_t{1}));
+  if (unused == 0) return;
+  job.report().set(section + "/unused_vertices", unused);
+  job.warn(
+      fmt::format("{}: {} in no triangle, and left out; if they are samples of the surface, "
+                  "reconstruct it from "
+                  "its points, or give them as a cloud",
+                  path, counted(unused, "vertex is", "vertices are")));
 }
 
 void orient_model(Job& job, const std::string& path, const std::string& section,

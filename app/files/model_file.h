@@ -25,6 +25,11 @@ struct ModelFile {
 ModelFile read_model(Job& job, const std::string& path, const std::string& section,
                      VertexProperties* properties = nullptr);
 
+// Warns of vertices that no triangle of the mesh read uses, since what the mesh becomes has none of
+// them; the section's "unused_vertices" counts. Complexity: O(v + t).
+void warn_of_unused_vertices(Job& job, const std::string& path, const std::string& section,
+                             const TriangleMesh& mesh);
+
 // Turns the mesh read so that it faces outward (orient_outward()). The summary says so, and the
 // section's "turned_triangles" counts. Complexity: O(v).
 void orient_model(Job& job, const std::string& path, const std::string& section,

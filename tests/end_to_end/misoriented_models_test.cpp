@@ -52,6 +52,25 @@ TEST_F(MisorientedModels, AreUpdatedLikeThoseThatFaceOutward) {
   EXPECT_EQ(updated(at_odds).first, expected);
 }
 
+// What no triangle uses is no part of the model; the numbers of the others are those of the file.
+TEST_F(MisorientedModels, VerticesWithoutATriangleAreTold) {
+  const TriangleMesh model = ball();
+  const auto [expected, plain] = updated(model);
+  EXPECT_FALSE(plain["input"].contains("unused_vertices"));
+  TriangleMesh with_others = model;
+  with_others.points.push_back({0, 0, 0});
+  with_others.points.push_back({5, 0, 0});
+  const auto [mesh, report] = updated(with_others);
+  EXPECT_EQ(mesh, expected);
+  EXPECT_EQ(report["input"]["unused_vertices"], 2);
+  bool is_told = false;
+  for (const Json& warning : report["warnings"]) {
+    is_told |=
+        warning.get<std::string>().find("2 vertices are in no triangle") != std::string::npos;
+  }
+  EXPECT_TRUE(is_told);
+}
+
 TEST_F(MisorientedModels, AreWatchedLikeThoseThatFaceOutward) {
   const TriangleMesh model = ball();
   const std::string scans = folder.file("scans");
