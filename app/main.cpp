@@ -14,6 +14,7 @@
 #include "app/commands.h"
 #include "app/console/interrupt.h"
 #include "app/console/standard_streams.h"
+#include "app/kept_memory.h"
 #include "geom/errors.h"
 
 namespace cocoon::app {
@@ -115,6 +116,7 @@ int run_command_line(const CommandLine& line) {
 }
 
 int main_of_program(int argc, const char* const* argv) {
+  keep_freed_memory();
   open_standard_streams();
   std::set_terminate(end_where_nobody_catches);
   try {

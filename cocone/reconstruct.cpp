@@ -17,6 +17,8 @@ ReconstructOptions effective_options(ReconstructOptions options) {
   require_shares("reconstruct",
                  {{"max_contradicted_likely", options.max_contradicted_likely},
                   {"second_look.max_conflict_share", options.second_look.max_conflict_share}});
+  require_amounts("reconstruct",
+                  {{"second_look.max_poor_per_sample", options.second_look.max_poor_per_sample}});
   if (options.mode == Mode::paper) {
     options.boundary.radius_mode = RadiusMode::cocone;
     options.peel.deferred_seeding = false;

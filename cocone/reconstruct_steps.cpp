@@ -139,7 +139,7 @@ void ReconstructSteps::close_surface(const KnownLabelsSource& known) {
   }
   std::optional<CellMarks> marks = mark(source);
   if (!marks) return;
-  if (is_contradictory(options_.second_look, marks->conflicts, result_.vertices) &&
+  if (is_contradictory(options_.second_look, *marks, result_.vertices) &&
       look_again(*marks, source)) {
     return keep_good(std::move(*marks));
   }

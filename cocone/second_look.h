@@ -13,6 +13,8 @@
 
 #include <cstddef>
 
+#include "cocone/cell_marks.h"
+
 namespace cocoon {
 
 struct SecondLookOptions {
@@ -21,9 +23,14 @@ struct SecondLookOptions {
   std::size_t max_conflicts = 5;
   // and more often than this share of the samples: noise contradicts itself here and there.
   double max_conflict_share = 0.001;
+  // But not if there are more poor cells (CellMarks::poor_cells) than this many per sample: where
+  // so much is left to the clean-up anyway, it is noise or what was not scanned, and a stricter
+  // condition leaves too little.
+  double max_poor_per_sample = 1.25;
 };
 
-// Whether so many conflicts are too many. Complexity: O(1).
-bool is_contradictory(const SecondLookOptions& options, std::size_t conflicts, std::size_t samples);
+// Whether peeled marks contradict each other so often that there is one. Complexity: O(1).
+bool is_contradictory(const SecondLookOptions& options, const CellMarks& marks,
+                      std::size_t samples);
 
 }  // namespace cocoon

@@ -17,7 +17,7 @@ using enum ThresholdUse;
 using Options = StageOptions;
 using Field = Threshold::Field;
 
-constexpr std::array<Threshold, 5> of_marking{{
+constexpr std::array<Threshold, 6> of_marking{{
     {"keep-angle", "Pruning: two triangles at an edge, flatter than this dihedral angle, stay", 0,
      180, angle, cocone, [](Options& o) -> Field { return &o.surface.prune.keep_cosine; }},
     {"fold-angle", "Marking: a dihedral angle of at most this makes both ends of an edge poor", 0,
@@ -30,6 +30,9 @@ constexpr std::array<Threshold, 5> of_marking{{
     {"second-look-share", "Second look: and more often than this share of the samples", 0, 1,
      number, second_look,
      [](Options& o) -> Field { return &o.surface.second_look.max_conflict_share; }},
+    {"second-look-poor", "Second look: not with more poor cells than this for each sample", 0, 1e9,
+     number, second_look,
+     [](Options& o) -> Field { return &o.surface.second_look.max_poor_per_sample; }},
 }};
 
 constexpr std::array<Threshold, 24> of_clean_up{{

@@ -16,6 +16,7 @@
 #include "geom/errors.h"
 #include "geom/random/random.h"
 #include "tests/cocone/changing_points.h"
+#include "tests/cocone/sample_shapes.h"
 
 namespace cocoon {
 namespace {
@@ -56,6 +57,13 @@ std::vector<Point> blocks(double gap, std::uint64_t seed) {
   return points;
 }
 
+// Without poor cells.
+CellMarks with_conflicts(std::size_t conflicts) {
+  CellMarks marks;
+  marks.conflicts = conflicts;
+  return marks;
+}
+
 ReconstructResult first_look(Points points) {
   return reconstruct_tight(points, {.second_look = {.enabled = false}});
 }
@@ -81,7 +89,7 @@ TEST(SecondLook, TakesTheSurfaceThatContradictsItselfLess) {
     strict.boundary.radius_mode = RadiusMode::cocone;
     const ReconstructResult second = reconstruct_tight(points, strict);
     const std::size_t conflicts = first.counters.marking_conflicts;
-    if (!is_contradictory(defaults, conflicts, points.size())) {
+    if (!is_contradictory(defaults, with_conflicts(conflicts), points.size())) {
       EXPECT_EQ(result.counters.first_conflicts, 0U);
       EXPECT_EQ(result.mesh, first.mesh);
       ++not_asked;
@@ -138,11 +146,28 @@ TEST(SecondLook, ThereIsNoneWithOptionsThatLeaveItOut) {
 
 TEST(SecondLook, FollowsWhenConflictsAreMoreThanBothLimits) {
   const SecondLookOptions options{.max_conflicts = 5, .max_conflict_share = 0.001};
-  EXPECT_FALSE(is_contradictory(options, 5, 100));
-  EXPECT_TRUE(is_contradictory(options, 6, 100));
-  EXPECT_FALSE(is_contradictory(options, 10, 10'000));
-  EXPECT_TRUE(is_contradictory(options, 11, 10'000));
-  EXPECT_FALSE(is_contradictory({.enabled = false}, 1000, 1000));
+  const auto follows = [&](std::size_t conflicts, std::size_t samples) {
+    return is_contradictory(options, with_conflicts(conflicts), samples);
+  };
+  EXPECT_FALSE(follows(5, 100));
+  EXPECT_TRUE(follows(6, 100));
+  EXPECT_FALSE(follows(10, 10'000));
+  EXPECT_TRUE(follows(11, 10'000));
+  EXPECT_FALSE(is_contradictory({.enabled = false}, with_conflicts(1000), 1000));
+}
+
+TEST(SecondLook, DoesNotFollowWhereTheCleanUpDecidesMost) {
+  CellMarks marks = with_conflicts(100);
+  marks.poor_cells = 200;
+  EXPECT_TRUE(is_contradictory({.max_poor_per_sample = 2}, marks, 100));
+  marks.poor_cells = 201;
+  EXPECT_FALSE(is_contradictory({.max_poor_per_sample = 2}, marks, 100));
+  // Noise of 90 % of the spacing.
+  std::vector<Point> points = shapes::noisy_sphere(2000, 0.035, 1);
+  const ReconstructResult result = reconstruct_tight(points);
+  EXPECT_GT(result.counters.marking_conflicts, 5U);
+  EXPECT_EQ(result.counters.first_conflicts, 0U);
+  EXPECT_EQ(result.mesh, first_look(points).mesh);
 }
 
 // Points come and go at either block: also where there is no second look any more, and where there

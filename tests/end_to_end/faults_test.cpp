@@ -9,6 +9,7 @@
 #include <string>
 #include <sys/resource.h>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "tests/run_program.h"
@@ -63,10 +64,12 @@ constexpr bool address_space_can_be_limited = true;
 TEST(Faults, MemoryThatRunsOutIsSaid) {
   if (!address_space_can_be_limited) GTEST_SKIP() << "a sanitizer owns the address space";
   const OldOutput old(60000);
-  for (const std::string threads : {"1", "4"}) {
+  static std::size_t megabytes;  // enough for the threads, and not for their work
+  for (const auto& [threads, limit] : {std::pair("1", 36U), std::pair("4", 48U)}) {
+    megabytes = limit;
     const ProgramRun run =
         run_program({"reconstruct", old.cloud, "-o", old.target, "--threads", threads, "--quiet"},
-                    [] { limit_to(RLIMIT_AS, std::size_t{36} << 20); });
+                    [] { limit_to(RLIMIT_AS, megabytes << 20); });
     expect_error(run, 1, "not enough memory");
     old.expect_untouched();
   }

@@ -1,0 +1,19 @@
+#include "app/kept_memory.h"
+
+#include <cstdlib>  // defines __GLIBC__, if it is that
+#ifdef __GLIBC__
+#include <limits>
+#include <malloc.h>
+#endif
+
+namespace cocoon::app {
+
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  // The most that glibc takes; what is larger leaves gaps that little fits into.
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+#endif
+}
+
+}  // namespace cocoon::app
