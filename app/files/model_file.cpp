@@ -72,11 +72,10 @@ void warn_of_unused_vertices(Job& job, const std::string& path, const std::strin
       static_cast<std::size_t>(std::count(is_unused.begin(), is_unused.end(), std::uint8_t{1}));
   if (unused == 0) return;
   job.report().set(section + "/unused_vertices", unused);
-  job.warn(
-      fmt::format("{}: {} in no triangle, and left out; if they are samples of the surface, "
-                  "reconstruct it from "
-                  "its points, or give them as a cloud",
-                  path, counted(unused, "vertex is", "vertices are")));
+  job.warn(fmt::format(
+      "{}: {} in no triangle, and left out; if they are samples of the surface, reconstruct it "
+      "from its points, or give them as a cloud",
+      path, counted(unused, "vertex is", "vertices are")));
 }
 
 void orient_model(Job& job, const std::string& path, const std::string& section,
