@@ -88,6 +88,7 @@ void run_job(const CommandLine& line, std::string& unseen_warning) {
 }
 
 int run_command_line(const CommandLine& line) {
+  if (!std::holds_alternative<WatchArguments>(line.command)) keep_freed_memory();
   catch_interrupts();
   std::string warning;
   try {
@@ -116,7 +117,6 @@ int run_command_line(const CommandLine& line) {
 }
 
 int main_of_program(int argc, const char* const* argv) {
-  keep_freed_memory();
   open_standard_streams();
   std::set_terminate(end_where_nobody_catches);
   try {

@@ -16,6 +16,12 @@ namespace cocoon {
 
 namespace {
 
+// None are of no cell, unless they are wanted.
+void require_labels(const char* what, const IdVector<CellId, CellLabel>& labels, std::size_t cells,
+                    bool are_wanted) {
+  if (!labels.empty() || are_wanted) require_size("close_body", what, labels.size(), cells);
+}
+
 class BodyCloser {
  public:
   BodyCloser(const MarkedSurface& marked, const ReconstructOptions& options,
@@ -98,8 +104,6 @@ ClosedBody BodyCloser::clean_up_knowing(CellMarks marks, const KnownLabels& told
 
 ClosedBody BodyCloser::clean_up_foreign(const CellMarks& marks,
                                         const IdVector<CellId, CellLabel>& told) const {
-  require_size("reconstruct_tight_with_labels", "labels of cells that are known beforehand",
-               told.size(), triangulation_.num_cells());
   return marks.known.empty() ? clean_up_yielding(marks, told).body : with_or_without(marks, told);
 }
 
@@ -188,7 +192,12 @@ void BodyCloser::heed_likely(const KnownLabels& told, bool in_doubt, ClosedBody&
 
 ClosedBody close_body(const MarkedSurface& marked, CellMarks peeled, const KnownLabels& told,
                       const ReconstructOptions& options, const Execution& execution) {
-  const BodyCloser closer(marked, options, execution);
+  const ReconstructOptions effective = effective_options(options);
+  const std::size_t cells = marked.triangulation.num_cells();
+  require_labels("labels of cells that are known beforehand", told.labels, cells,
+                 !told.undisturbed.empty());
+  require_labels("labels of cells that are likely", told.likely, cells, false);
+  const BodyCloser closer(marked, effective, execution);
   const bool in_doubt = is_in_doubt(peeled);
   ClosedBody body = in_doubt ? closer.clean_up_knowing(std::move(peeled), told)
                              : closer.clean_up(std::move(peeled));

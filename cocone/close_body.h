@@ -50,11 +50,13 @@ inline bool needs_links(const KnownLabels& told) {
   return !told.likely.empty() || !told.undisturbed.empty();
 }
 
-// `peeled`: of peel_cells. `told`: asked if marks are in doubt, or have not reached all good
-// vertices; else of none. Complexity: O(cells) and that of clean_up_cells, up to
-// ReconstructOptions::yield_rounds + 1 times, each up to three times. Deterministic. Errors:
-// InputError for labels of another triangulation, by their number; Cancelled.
-// Source: ours, docs/stages/mark_cells.md.
+// `peeled`: of peel_cells. `told`: of none unless marks are in doubt, or have not reached all good
+// vertices. In paper mode nothing is cleaned up.
+// Complexity: O(cells) and that of clean_up_cells; if something likely is contradicted up to three
+// times, with markings and peels of its own, and where a mesh that is none of ours tells, in up to
+// ReconstructOptions::yield_rounds + 1 rounds each, of two markings if the first has asked it.
+// Deterministic. Errors: InputError for labels of another triangulation, by their number, and for
+// options out of range; Cancelled. Source: ours, docs/stages/mark_cells.md.
 ClosedBody close_body(const MarkedSurface& marked, CellMarks peeled, const KnownLabels& told,
                       const ReconstructOptions& options, const Execution& execution = {});
 

@@ -106,6 +106,7 @@ void DynamicTightCocone::State::take(const ReconstructResult& result, Reconstruc
   look_for_certificate(result, stages.surface);
   if (!certified.exists() && result.status == SurfaceStatus::ok) {
     kept.start(*LentDelaunay(delaunay, vertex_of_point), stages, execution);
+    if (result.counters.second_look != 0) kept.body.clear();  // if any, it is that of the first
   }
 }
 
@@ -284,22 +285,21 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points, con
     const LentDelaunay lent(delaunay, vertex_of_point);
     found.left = kept.links.link(*lent, candidates_left(candidates), execution);
     found.first_walk = kept.first_walk;
-    bool is_marked = false, is_body_seen = false;
+    bool asked = false;
     const LiveStages live{
         delaunay.cells_at_vertices(),
         [&](const Triangulation& triangulation, const auto&... input) {
-          is_marked = true;
           return kept.marks.mark(triangulation, delaunay.cells_at_vertices(), input...);
         },
         [&](const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
             bool is_flawed) {
-          is_body_seen = true;
+          asked = true;
           return take_body(triangulation, out, is_flawed, may_edit, execution);
         }};
     result = reconstruct_tight_from(*lent, std::move(found), points, labels_of(old), options,
                                     execution, live, surface);
-    if (!is_marked) kept.marks.clear();
-    if (!is_body_seen) kept.body.clear();
+    if (!asked) kept.marks.clear();
+    if (!asked || result.counters.second_look != 0) kept.body.clear();
   }
   if (!surface.triangles.facets.empty())
     kept.links.keep(std::move(surface.triangles), std::move(surface.rest));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cocone/candidate_triangles.h"
+#include "cocone/checks/surface_roughness.h"
 #include "cocone/checks/verify_surface.h"
 #include "cocone/close_body.h"
 #include "cocone/cocones.h"
@@ -139,41 +140,57 @@ void ReconstructSteps::close_surface(const KnownLabelsSource& known) {
   }
   std::optional<CellMarks> marks = mark(source);
   if (!marks) return;
-  if (is_contradictory(options_.second_look, *marks, result_.vertices) &&
-      look_again(*marks, source)) {
-    return keep_good(std::move(*marks));
+  if (!is_told_by_others() && calls_for_second_look(marks->conflicts, marks->poor_cells)) {
+    if (told_ && !needs_links(*told_)) forget_links();
+    if (look_again(marks->conflicts, std::nullopt, source)) return keep_good(std::move(*marks));
   }
   close_by(std::move(*marks), source);
+  if (!calls_for_look_at_closed()) return;
+  const double cost = cost_of_result();
+  const double least = cost_of({.parts = 1}, options_.clean_up);
+  if (cost > least) look_again(result_.counters.marking_conflicts, cost, source);
 }
 
 std::optional<CellMarks> ReconstructSteps::mark(const KnownLabelsSource& known) {
-  return run_step(
-      execution_, "tight/marks", [&](const Execution& nested) -> std::optional<CellMarks> {
-        if (live_ != nullptr) return peel(mark_by_caller(known, nested), nested);
-        GoodVertices good = find_good_vertices(nested);
-        if (is_certain(*triangulation_, surface_, good, nested)) {
-          deliver_certain(std::move(good), nested);
-          return std::nullopt;
-        }
-        CellMarks marks =
-            mark_cells(*triangulation_, surface_.triangles, std::move(good), known, nested);
-        if (!known) forget_links();
-        if (stages_ != nullptr) stages_->marks = marks;
-        return peel(std::move(marks), nested);
-      });
+  const auto marked = [&](const Execution& nested) -> std::optional<CellMarks> {
+    const LinkedFacets& surface = surface_.triangles;
+    if (live_ != nullptr) {
+      return live_->mark(*triangulation_, surface, boundary_.boundary, known,
+                         options_.good_vertices, nested);
+    }
+    GoodVertices good = good_vertices(surface, boundary_.boundary, options_.good_vertices, nested);
+    if (is_certain(*triangulation_, surface_, good, nested)) {
+      deliver_certain(std::move(good), nested);
+      return std::nullopt;
+    }
+    CellMarks marks = mark_cells(*triangulation_, surface, std::move(good), known, nested);
+    if (!known) forget_links();
+    if (stages_ != nullptr) stages_->marks = marks;
+    return marks;
+  };
+  return run_step(execution_, "tight/marks", [&](const Execution& nested) {
+    std::optional<CellMarks> marks = marked(nested);
+    if (!marks) return marks;
+    const FacetSet& set = surface_.triangles.set;
+    marks = peel_cells(*triangulation_, set, *std::move(marks), options_.peel, nested);
+    // They will ask, and who tells decides how a second look is judged.
+    if (known && is_in_doubt(*marks)) known(*triangulation_, set, nested);
+    return marks;
+  });
 }
 
-bool ReconstructSteps::look_again(const CellMarks& first, const KnownLabelsSource& known) {
-  result_.counters.first_conflicts = first.conflicts;
+bool ReconstructSteps::look_again(std::size_t conflicts, std::optional<double> cost,
+                                  const KnownLabelsSource& known) {
+  result_.counters.first_conflicts = conflicts;
   ReconstructOptions options = options_;
   options.boundary.radius_mode = RadiusMode::cocone;
   return run_step(execution_, "second_look", [&](const Execution& nested) {
     ReconstructSteps again(points_, options, nested);
     again.refer_to(*triangulation_);
-    if (!again.close_with_less(first.conflicts, known)) return false;
+    if (!again.close_with_less(conflicts, cost, known)) return false;
     ReconstructCounters& counters = again.result_.counters;
     counters.delaunay = result_.counters.delaunay;
-    counters.first_conflicts = first.conflicts;
+    counters.first_conflicts = conflicts;
     counters.second_look = 1;
     result_ = std::move(again.result_);
     triangulation_vertex_ = std::move(again.triangulation_vertex_);
@@ -181,15 +198,17 @@ bool ReconstructSteps::look_again(const CellMarks& first, const KnownLabelsSourc
   });
 }
 
-bool ReconstructSteps::close_with_less(std::size_t conflicts, const KnownLabelsSource& known) {
+bool ReconstructSteps::close_with_less(std::size_t conflicts, std::optional<double> cost,
+                                       const KnownLabelsSource& known) {
   find_poles();
   build_surface();
   if (boundary_.interior() == 0) return false;
   if (std::optional<CellMarks> marks = mark(known)) {
-    if (marks->conflicts >= conflicts) return false;
+    if (!cost && marks->conflicts >= conflicts) return false;
     close_by(std::move(*marks), known);
   }
-  return result_.status == SurfaceStatus::ok;
+  if (result_.status != SurfaceStatus::ok) return false;
+  return !cost || (result_.counters.marking_conflicts < conflicts && cost_of_result() < *cost);
 }
 
 void ReconstructSteps::deliver_open_surface() {
@@ -259,14 +278,19 @@ void ReconstructSteps::count_surface() {
   counters.back_contacts = surface_.back_contacts;
 }
 
-CellMarks ReconstructSteps::mark_by_caller(const KnownLabelsSource& known,
-                                           const Execution& execution) const {
-  return live_->mark(*triangulation_, surface_.triangles, boundary_.boundary, known,
-                     options_.good_vertices, execution);
+bool ReconstructSteps::calls_for_second_look(std::size_t conflicts, std::size_t poor_cells) const {
+  const std::size_t poor = is_told_by_others() ? 0 : poor_cells;  // there costs tell
+  return cocoon::calls_for_second_look(options_.second_look, {conflicts, poor, result_.vertices});
 }
 
-GoodVertices ReconstructSteps::find_good_vertices(const Execution& execution) const {
-  return good_vertices(surface_.triangles, boundary_.boundary, options_.good_vertices, execution);
+bool ReconstructSteps::calls_for_look_at_closed() const {
+  const ReconstructCounters& counters = result_.counters;
+  return is_told_by_others() && result_.status == SurfaceStatus::ok &&
+         calls_for_second_look(counters.marking_conflicts, counters.poor_cells);
+}
+
+double ReconstructSteps::cost_of_result() const {
+  return cost_of(surface_roughness(result_.mesh, result_.vertices, execution_), options_.clean_up);
 }
 
 void ReconstructSteps::forget_links() {
@@ -274,11 +298,6 @@ void ReconstructSteps::forget_links() {
   FacetSet set = std::move(surface_.triangles.set);
   surface_.triangles = {};
   surface_.triangles.set = std::move(set);
-}
-
-CellMarks ReconstructSteps::peel(CellMarks marks, const Execution& execution) const {
-  return peel_cells(*triangulation_, surface_.triangles.set, std::move(marks), options_.peel,
-                    execution);
 }
 
 void ReconstructSteps::keep_good(CellMarks marks) {
@@ -304,8 +323,11 @@ void ReconstructSteps::close_by(CellMarks marks, const KnownLabelsSource& known)
 
 void ReconstructSteps::deliver(ClosedBody body, const Execution& execution) {
   CellMarks& marks = body.marks;
-  if (live_ != nullptr &&
-      live_->take_body(*triangulation_, marks.reached, is_flawed(body.clean_up))) {
+  // A look at what is closed needs the mesh.
+  const bool is_to_be_seen =
+      is_flawed(body.clean_up) ||
+      (is_told_by_others() && calls_for_second_look(marks.conflicts, marks.poor_cells));
+  if (live_ != nullptr && live_->take_body(*triangulation_, marks.reached, is_to_be_seen)) {
     result_.status = SurfaceStatus::ok;
   } else {
     deliver(surface_between(*triangulation_, marks, execution));

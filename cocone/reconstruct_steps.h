@@ -57,7 +57,7 @@ class ReconstructSteps {
   void extract_from(KnownCandidates candidates);
 
   // With a second look (second_look.h), if there is to be one. If what it finds is taken,
-  // take_surface() and the stages get what the first one has found, and no body.
+  // take_surface() and the stages get what the first one has found.
   void close_surface(const KnownLabelsSource& known);
 
   void deliver_open_surface();
@@ -79,21 +79,27 @@ class ReconstructSteps {
 
   // With the peel. None if the surface is certain: then it is delivered.
   std::optional<CellMarks> mark(const KnownLabelsSource& known);
-  CellMarks mark_by_caller(const KnownLabelsSource& known, const Execution& execution) const;
-  // Whether the second look was better than what led to such marks, and its result is the result.
-  bool look_again(const CellMarks& first, const KnownLabelsSource& known);
-  // Closes a surface whose marks contradict each other less often, if there is one.
-  bool close_with_less(std::size_t conflicts, const KnownLabelsSource& known);
+  // Whether a mesh that is none of ours has told labels.
+  bool is_told_by_others() const { return told_ && !told_->undisturbed.empty(); }
+  bool calls_for_second_look(std::size_t conflicts, std::size_t poor_cells) const;
+  // Such a mesh: its marks may have been made again since.
+  bool calls_for_look_at_closed() const;
+  double cost_of_result() const;
+  // Whether the second look is better than the first one, with so many conflicts, and its result is
+  // the result now. `cost`: of the surface that is closed already; none: it is not, and marks
+  // decide.
+  bool look_again(std::size_t conflicts, std::optional<double> cost,
+                  const KnownLabelsSource& known);
+  // Closes a surface that is better by that, if there is one.
+  bool close_with_less(std::size_t conflicts, std::optional<double> cost,
+                       const KnownLabelsSource& known);
 
   // What take_surface() tells of good vertices.
   void keep_good(CellMarks marks);
-  GoodVertices find_good_vertices(const Execution& execution) const;
-
   // A third as much memory as the triangulation has. What is left of the links is the set of
   // facets.
   void forget_links();
 
-  CellMarks peel(CellMarks marks, const Execution& execution) const;
   // All that follows the peel.
   void close_by(CellMarks marks, const KnownLabelsSource& known);
   void deliver(ClosedBody body, const Execution& execution);

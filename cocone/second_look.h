@@ -6,14 +6,18 @@
 // spacing its two sides take each other's samples for neighbors, are good all the same, and
 // disagree about what is inside. With the cocone's radius they are boundary samples, and the
 // clean-up decides. So both surfaces are marked, and the one whose marks contradict each other less
-// often is closed.
+// often is closed; the first, if nothing comes of the second.
+// Marks that a mesh of another program has told (KnownLabels::undisturbed) may be made again while
+// the surface is closed (close_body.h): there both are closed, however many cells are poor, and the
+// second is taken if it contradicts itself less often and costs less.
 //
 // Source: ours, docs/stages/mark_cells.md.
 #pragma once
 
 #include <cstddef>
 
-#include "cocone/cell_marks.h"
+#include "cocone/checks/surface_roughness.h"
+#include "cocone/clean_up_cells.h"
 
 namespace cocoon {
 
@@ -29,8 +33,17 @@ struct SecondLookOptions {
   double max_poor_per_sample = 1.25;
 };
 
-// Whether peeled marks contradict each other so often that there is one. Complexity: O(1).
-bool is_contradictory(const SecondLookOptions& options, const CellMarks& marks,
-                      std::size_t samples);
+// Of peeled marks.
+struct Contradictions {
+  std::size_t conflicts = 0;
+  std::size_t poor_cells = 0;
+  std::size_t samples = 0;
+};
+
+// Whether there is a second look at what has such marks. Complexity: O(1).
+bool calls_for_second_look(const SecondLookOptions& options, const Contradictions& found);
+
+// What the clean-up makes parts, handles and samples without a place cost. Complexity: O(1).
+double cost_of(const SurfaceRoughness& roughness, const CleanUpOptions& costs);
 
 }  // namespace cocoon

@@ -18,6 +18,26 @@ namespace cocoon::app {
 
 namespace {
 
+// Vertices that no triangle uses, nor another one at their place.
+std::size_t unused_places(const TriangleMesh& mesh) {
+  IdVector<VertexId, std::uint8_t> is_unused(mesh.points.size(), 1);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const VertexId v : triangle) is_unused[v] = 0;
+  }
+  const auto count = [&] {
+    return static_cast<std::size_t>(
+        std::count(is_unused.begin(), is_unused.end(), std::uint8_t{1}));
+  };
+  if (count() == 0) return 0;
+  const std::vector<RepeatedPoint> repeated = repeated_points(mesh.points.span());
+  for (const RepeatedPoint& r : repeated) {
+    std::uint8_t& first = is_unused[VertexId(r.first)];
+    first = std::min(first, is_unused[VertexId(r.point)]);
+  }
+  for (const RepeatedPoint& r : repeated) is_unused[VertexId(r.point)] = 0;  // told once
+  return count();
+}
+
 // Of each point of a file, which of the `left` it is; of those that were skipped none.
 IdVector<VertexId, VertexId> without(const std::vector<std::size_t>& skipped, std::size_t left) {
   IdVector<VertexId, VertexId> vertex_of(left + skipped.size());
@@ -64,12 +84,7 @@ ModelFile read_model(Job& job, const std::string& path, const std::string& secti
 
 void warn_of_unused_vertices(Job& job, const std::string& path, const std::string& section,
                              const TriangleMesh& mesh) {
-  IdVector<VertexId, std::uint8_t> is_unused(mesh.points.size(), 1);
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const VertexId v : triangle) is_unused[v] = 0;
-  }
-  const auto unused =
-      static_cast<std::size_t>(std::count(is_unused.begin(), is_unused.end(), std::uint8_t{1}));
+  const std::size_t unused = unused_places(mesh);
   if (unused == 0) return;
   job.report().set(section + "/unused_vertices", unused);
   job.warn(fmt::format(

@@ -25,8 +25,10 @@ struct ModelFile {
 ModelFile read_model(Job& job, const std::string& path, const std::string& section,
                      VertexProperties* properties = nullptr);
 
-// Warns of vertices that no triangle of the mesh read uses, since what the mesh becomes has none of
-// them; the section's "unused_vertices" counts. Complexity: O(v + t).
+// Warns of vertices that no triangle of the mesh read uses, nor another vertex at their place,
+// since what the mesh becomes has none of them; the section's "unused_vertices" counts. (With
+// --densify such vertices are samples as all others.) Complexity: O(v + t), and O(v log v) if there
+// are any.
 void warn_of_unused_vertices(Job& job, const std::string& path, const std::string& section,
                              const TriangleMesh& mesh);
 

@@ -6,8 +6,9 @@ namespace cocoon {
 
 void KeptStages::start(const Triangulation& triangulation, const ReconstructStages& stages,
                        const Execution& execution) {
-  if (!stages.marks.labels.empty()) marks.keep(stages.marked, stages.marks);
-  if (!stages.out.empty()) body.resume(triangulation, stages.out, execution);
+  if (stages.out.empty()) return;
+  marks.keep(stages.marked, stages.marks);
+  body.resume(triangulation, stages.out, execution);
 }
 
 void KeptStages::resume(const Triangulation& triangulation, SurfaceState state) {

@@ -48,7 +48,7 @@ struct ReconstructStages {
   VertexSet umbrella;
   CoconeSurface surface;
   // If it was marked, which one that is certain is not: its facets, the marks before the peel, and
-  // 1 for cells that are not of the body in the end (none if that is the body of a second look).
+  // 1 for cells that are not of the body in the end; none if marks alone led to a second look.
   FacetSet marked;
   CellMarks marks;
   IdVector<CellId, std::uint8_t> out;
@@ -78,8 +78,8 @@ using Marking = std::function<CellMarks(
 
 // Whoever keeps a body (kept_body.h), and may take it instead of the mesh that bounds it: then each
 // vertex has one closed umbrella of that. `out`: 1 = a cell is not of the body. `is_flawed`: the
-// clean-up has seen a vertex without such an umbrella. False: the mesh is needed. Not asked for the
-// body of a second look.
+// clean-up has seen a vertex without such an umbrella, or the mesh is needed in any case. False: it
+// is needed. Not asked for the body of a second look.
 using BodyTaker = std::function<bool(const Triangulation& triangulation,
                                      const IdVector<CellId, std::uint8_t>& out, bool is_flawed)>;
 

@@ -85,10 +85,16 @@ TEST(CloseBody, WhatIsLikelyIsHeededWhereTheSurfaceIsNoRougher) {
   EXPECT_EQ(agreed.heeded_likely, 0U);  // nothing to be heeded
   EXPECT_EQ(agreed.marks.reached, without.marks.reached);
   told.likely = dome.label_all(inside, CellLabel::out);
-  const ClosedBody contradicted = dome.close(told);
-  EXPECT_EQ(contradicted.contradicted_likely, inside.size());
-  const bool is_heeded = contradicted.heeded_likely > 0;
-  EXPECT_EQ(is_heeded, contradicted.marks.reached != without.marks.reached);
+  const ClosedBody heeded = dome.close(told);
+  EXPECT_EQ(heeded.contradicted_likely, inside.size());
+  EXPECT_EQ(heeded.heeded_likely, inside.size());
+  EXPECT_NE(heeded.marks.reached, without.marks.reached);
+  // Then nothing would be left.
+  for (CellLabel& label : told.likely) label = CellLabel::out;
+  const ClosedBody refused = dome.close(told);
+  EXPECT_GT(refused.contradicted_likely, inside.size());
+  EXPECT_EQ(refused.heeded_likely, 0U);
+  EXPECT_EQ(refused.marks.reached, without.marks.reached);
 }
 
 TEST(CloseBody, LabelsOfAnotherTriangulationAreRefused) {
@@ -97,6 +103,12 @@ TEST(CloseBody, LabelsOfAnotherTriangulationAreRefused) {
   told.undisturbed = {CellId(0)};
   told.labels = IdVector<CellId, CellLabel>(3, CellLabel::unmarked);
   EXPECT_THROW(dome.close(told), InputError);
+  told.undisturbed = {};
+  EXPECT_THROW(dome.close(told), InputError);
+  told = {};
+  told.likely = IdVector<CellId, CellLabel>(3, CellLabel::in);
+  EXPECT_THROW(dome.close(told), InputError);
+  EXPECT_THROW(dome.close({}, {.max_contradicted_likely = -1}), InputError);
 }
 
 }  // namespace

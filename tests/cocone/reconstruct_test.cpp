@@ -470,6 +470,10 @@ TEST(Reconstruct, ReportsItsStages) {
        {"delaunay", "poles", "cocone/cones", "boundary", "cocone/surface", "tight/marks"}) {
     EXPECT_EQ(recorder.finished[stage], 1) << stage;
   }
+  EXPECT_EQ(recorder.finished["tight/body"], 0);  // nothing is left to be decided
+  Recorder of_noise;
+  reconstruct_tight(shapes::noisy_sphere(300, 0.05, 21), {}, {.progress = &of_noise});
+  EXPECT_EQ(of_noise.finished["tight/body"], 1);
   Recorder stopping;
   stopping.stop_at = "boundary";
   EXPECT_THROW(reconstruct_tight(points, {}, {.progress = &stopping}), Cancelled);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,13 +58,6 @@ std::vector<Point> blocks(double gap, std::uint64_t seed) {
   return points;
 }
 
-// Without poor cells.
-CellMarks with_conflicts(std::size_t conflicts) {
-  CellMarks marks;
-  marks.conflicts = conflicts;
-  return marks;
-}
-
 ReconstructResult first_look(Points points) {
   return reconstruct_tight(points, {.second_look = {.enabled = false}});
 }
@@ -89,7 +83,7 @@ TEST(SecondLook, TakesTheSurfaceThatContradictsItselfLess) {
     strict.boundary.radius_mode = RadiusMode::cocone;
     const ReconstructResult second = reconstruct_tight(points, strict);
     const std::size_t conflicts = first.counters.marking_conflicts;
-    if (!is_contradictory(defaults, with_conflicts(conflicts), points.size())) {
+    if (!calls_for_second_look(defaults, {conflicts, 0, points.size()})) {
       EXPECT_EQ(result.counters.first_conflicts, 0U);
       EXPECT_EQ(result.mesh, first.mesh);
       ++not_asked;
@@ -146,22 +140,86 @@ TEST(SecondLook, ThereIsNoneWithOptionsThatLeaveItOut) {
 
 TEST(SecondLook, FollowsWhenConflictsAreMoreThanBothLimits) {
   const SecondLookOptions options{.max_conflicts = 5, .max_conflict_share = 0.001};
-  const auto follows = [&](std::size_t conflicts, std::size_t samples) {
-    return is_contradictory(options, with_conflicts(conflicts), samples);
-  };
-  EXPECT_FALSE(follows(5, 100));
-  EXPECT_TRUE(follows(6, 100));
-  EXPECT_FALSE(follows(10, 10'000));
-  EXPECT_TRUE(follows(11, 10'000));
-  EXPECT_FALSE(is_contradictory({.enabled = false}, with_conflicts(1000), 1000));
+  EXPECT_FALSE(calls_for_second_look(options, {5, 0, 100}));
+  EXPECT_TRUE(calls_for_second_look(options, {6, 0, 100}));
+  EXPECT_FALSE(calls_for_second_look(options, {10, 0, 10'000}));
+  EXPECT_TRUE(calls_for_second_look(options, {11, 0, 10'000}));
+  EXPECT_FALSE(calls_for_second_look({.enabled = false}, {1000, 0, 1000}));
+}
+
+TEST(SecondLook, PartsHandlesAndUnusedSamplesCostWhatTheCleanUpSays) {
+  CleanUpOptions costs;
+  costs.component_cost = 100;
+  costs.handle_cost = 30;
+  costs.unused_cost = 7;
+  EXPECT_EQ(cost_of({.parts = 2, .twice_handles = 3, .unused_vertices = 4}, costs), 273);
+  costs.handle_cost = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(cost_of({.parts = 1}, costs), 100);
+  EXPECT_EQ(cost_of({.parts = 1, .twice_handles = 2}, costs), 100 + 0x1p20);
+}
+
+// As of a mesh of another program: what it tells is right here, in all cells.
+KnownLabels told_by_blocks(const Triangulation& triangulation, double gap) {
+  KnownLabels known;
+  known.labels = IdVector<CellId, CellLabel>(triangulation.num_cells(), CellLabel::unmarked);
+  for (const CellId c : triangulation.finite_cells()) {
+    Vec3 sum{};
+    for (const VertexId v : triangulation.cell(c).vertices) sum = sum + triangulation.point(v);
+    const Vec3 p = 0.25 * sum;
+    const bool is_aside = p.x < 0 || p.y < 0 || p.x > far_end || p.y > far_end;
+    const bool is_in = !is_aside && p.z > 0 && p.z < top && (p.z < middle || p.z > middle + gap);
+    known.labels[c] = is_in ? CellLabel::in : CellLabel::out;
+    if (known.undisturbed.empty()) known.undisturbed.push_back(c);
+  }
+  return known;
+}
+
+// Where the marking may be done again without such a mesh, both surfaces are closed.
+TEST(SecondLook, WhereOthersTellItMustCostLessToo) {
+  std::size_t taken = 0, asked = 0;
+  for (const double gap : {0.1, 0.2, 0.3}) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      SCOPED_TRACE("gap " + std::to_string(gap) + ", seed " + std::to_string(seed));
+      const std::vector<Point> points = blocks(gap, seed);
+      const auto result_with = [&](const ReconstructOptions& options) {
+        return reconstruct_tight_with_labels(
+            points, [&](const Triangulation& t, const auto&...) { return told_by_blocks(t, gap); },
+            options);
+      };
+      const ReconstructResult first = result_with({.second_look = {.enabled = false}});
+      ReconstructOptions strict;
+      strict.boundary.radius_mode = RadiusMode::cocone;
+      const ReconstructResult second = result_with(strict);
+      const ReconstructResult result = result_with({});
+      const auto cost = [](const ReconstructResult& of) {
+        return cost_of(surface_roughness(of.mesh, of.vertices), {});
+      };
+      const std::size_t conflicts = first.counters.marking_conflicts;
+      const bool is_asked = calls_for_second_look({}, {conflicts, 0, points.size()}) &&
+                            cost(first) > cost_of({.parts = 1}, {});
+      EXPECT_EQ(result.counters.first_conflicts, is_asked ? conflicts : 0U);
+      const bool is_better =
+          is_asked && second.counters.marking_conflicts < conflicts && cost(second) < cost(first);
+      EXPECT_EQ(result.counters.second_look, is_better ? 1U : 0U);
+      EXPECT_EQ(result.mesh, is_better ? second.mesh : first.mesh);
+      asked += is_asked ? 1U : 0U;
+      taken += is_better ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(asked, 0U);
+  EXPECT_GT(taken, 0U);
+}
+
+TEST(SecondLook, OptionsOutOfRangeAreRefused) {
+  for (const double wrong : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(reconstruct_tight(blocks(0.2, 1), {.second_look = {.max_poor_per_sample = wrong}}),
+                 InputError);
+  }
 }
 
 TEST(SecondLook, DoesNotFollowWhereTheCleanUpDecidesMost) {
-  CellMarks marks = with_conflicts(100);
-  marks.poor_cells = 200;
-  EXPECT_TRUE(is_contradictory({.max_poor_per_sample = 2}, marks, 100));
-  marks.poor_cells = 201;
-  EXPECT_FALSE(is_contradictory({.max_poor_per_sample = 2}, marks, 100));
+  EXPECT_TRUE(calls_for_second_look({.max_poor_per_sample = 2}, {100, 200, 100}));
+  EXPECT_FALSE(calls_for_second_look({.max_poor_per_sample = 2}, {100, 201, 100}));
   // Noise of 90 % of the spacing.
   std::vector<Point> points = shapes::noisy_sphere(2000, 0.035, 1);
   const ReconstructResult result = reconstruct_tight(points);

@@ -58,6 +58,7 @@ TEST_F(MisorientedModels, VerticesWithoutATriangleAreTold) {
   const auto [expected, plain] = updated(model);
   EXPECT_FALSE(plain["input"].contains("unused_vertices"));
   TriangleMesh with_others = model;
+  with_others.points.push_back(model.points[VertexId(7)]);  // which says nothing new
   with_others.points.push_back({0, 0, 0});
   with_others.points.push_back({5, 0, 0});
   const auto [mesh, report] = updated(with_others);

@@ -165,5 +165,13 @@ TEST(OverlookedVertices, GoWhereGroupsOfSamplesLieOnTheModel) {
   EXPECT_EQ(report.euler, 2);
 }
 
+TEST(OverlookedVertices, RemovedOnesThatAreNotAscendingAreRefused) {
+  ScannedPlane scene;
+  scene.removed = {VertexId(5), VertexId(4)};
+  EXPECT_THROW(scene.count(), InputError);
+  scene.removed = {VertexId(scene.model.points.size())};
+  EXPECT_THROW(scene.count(), InputError);
+}
+
 }  // namespace
 }  // namespace cocoon
