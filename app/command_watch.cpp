@@ -60,6 +60,7 @@ class Watch {
   // Whether it got as far as to watch.
   bool run() {
     const LockFile lock(session_.file());
+    const LockFile mesh_lock(arguments_.mesh);  // by whatever session
     try {
       findings_are_due_ = session_.begin();
     } catch (const Cancelled&) {
