@@ -272,7 +272,7 @@ class Watch {
       thinned_ += drop.thinned[k];
       if (filter_.strays) append_strays(job_.report(), drop.strays[k], applied.clouds[k].size());
     }
-    say(told_applied(drop, update, filter_, options_.cloud.density));
+    say(told_applied(drop, update, filter_, options_));
   }
 
   // What is doubtful about the model, once no cloud waits for it: that takes passes over the whole.

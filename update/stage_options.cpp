@@ -229,6 +229,11 @@ void require_options(const char* stage, const UnscannedOptions& options) {
                          {"unscanned.max_explained_share", options.max_explained_share}});
 }
 
+void require_options(const char* stage, const CrowdedOptions& options) {
+  require_amounts(stage, {{"crowded.distance", options.distance}});
+  require_shares(stage, {{"crowded.min_share", options.min_share}});
+}
+
 void require_options(const char* stage, const UnusedChangeOptions& options) {
   require_amounts(stage, {{"unused_changes.off_model", options.off_model},
                           {"unused_changes.reach", options.reach}});
@@ -268,6 +273,7 @@ void require_options(const char* stage, const UpdateOptions& options) {
   require_options(stage, options.unused_changes);
   require_options(stage, options.contradicted);
   require_options(stage, options.openings);
+  require_options(stage, options.crowded);
   require_options(stage, options.shift);
 }
 

@@ -36,6 +36,7 @@
 #include "update/report/closed_openings.h"
 #include "update/report/cloud_report.h"
 #include "update/report/contradicted_samples.h"
+#include "update/report/crowded_samples.h"
 #include "update/report/loose_parts.h"
 #include "update/report/overlooked_vertices.h"
 #include "update/report/rim_shift.h"
@@ -76,6 +77,7 @@ struct UpdateOptions {
   UnusedChangeOptions unused_changes;
   ContradictedOptions contradicted;
   ClosedOpeningOptions openings;
+  CrowdedOptions crowded;
   ShiftOptions shift;
   ReconstructOptions reconstruct;  // of the updated model: the defaults for closed models
 };
@@ -110,6 +112,7 @@ struct UpdateResult {
   std::size_t unexplained_handles = 0;  // of a model with open edges always 0
   ClosedOpenings closed_openings;       // a vertex of the initial model is named
   LooseParts loose_parts;               // a vertex of the updated one
+  CrowdedSamples crowded;               // looked for where there are such handles or parts
   // Of the updated points, without its mesh; counts of duplicates and unused points are here.
   ReconstructResult reconstruction;
 };

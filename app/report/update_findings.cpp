@@ -42,6 +42,15 @@ std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
   return notes;
 }
 
+std::string note_of_crowded_samples(const UpdateResult& result, const CrowdedOptions& options) {
+  const CrowdedSamples& found = result.crowded;
+  if (!found.are_many(options)) return {};
+  return fmt::format(
+      "{} of {} samples lie closer to others than {:.2g}, as in layers of views that are out of "
+      "register: if handles or parts of the surface are wrong, try --thin {:.2g}",
+      found.closer, found.of, found.distance, found.distance);
+}
+
 std::string with_cloud_names(const std::string& message, const std::vector<std::string>& names) {
   std::vector<std::string> numbered;
   for (std::size_t c = 0; c < names.size(); ++c) {

@@ -30,6 +30,10 @@ std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
                                                 const std::vector<std::string>& names,
                                                 const DensityOptions& options);
 
+// What to try where the surface has handles or parts that nothing explains, and many samples lie
+// closer together than the vertices of the model; empty: nothing.
+std::string note_of_crowded_samples(const UpdateResult& result, const CrowdedOptions& options);
+
 // Messages of the library number the clouds ("cloud 1 of 2"); people know them by their files.
 std::string with_cloud_names(const std::string& message, const std::vector<std::string>& names);
 

@@ -171,6 +171,10 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/rescanned_kept", result.overlooked.kept);
   report.set("update/unexplained_handles", result.unexplained_handles);
   report.set("update/loose_parts", result.loose_parts.count);
+  if (result.crowded.distance > 0) {
+    report.set("update/crowded_samples", result.crowded.closer);
+    report.set("update/crowded_distance", result.crowded.distance);
+  }
   report.set("update/closed_openings", result.closed_openings.edges);
   report.set("update/model_euler", result.euler_before);
   report.set("update/updated_euler", result.euler);

@@ -32,7 +32,7 @@ DroppedClouds DroppedClouds::only(std::size_t k) const {
 }
 
 std::string told_applied(const DroppedClouds& dropped, const SessionUpdate& update,
-                         const CloudFilter& filter, const DensityOptions& density) {
+                         const CloudFilter& filter, const UpdateOptions& options) {
   const UpdateResult& result = update.result;
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - dropped.start;
   std::string line = fmt::format(
@@ -49,8 +49,11 @@ std::string told_applied(const DroppedClouds& dropped, const SessionUpdate& upda
   if (filter.strays) {
     line += fmt::format("; {} left out as noise", told_strays(total_of(dropped.strays)));
   }
-  for (const std::string& note : notes_of_uneven_clouds(result, dropped.names, density)) {
-    line += "; note: " + note;
+  std::vector<std::string> notes =
+      notes_of_uneven_clouds(result, dropped.names, options.cloud.density);
+  notes.push_back(note_of_crowded_samples(result, options.crowded));
+  for (const std::string& note : notes) {
+    if (!note.empty()) line += "; note: " + note;
   }
   for (const std::string& warning : result.warnings) {
     line += "; warning: " + with_cloud_names(warning, dropped.names);

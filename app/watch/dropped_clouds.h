@@ -34,6 +34,6 @@ struct DroppedClouds {
 // One line of all that was applied: counts, seconds since the start, topology, what was left out,
 // notes and warnings.
 std::string told_applied(const DroppedClouds& dropped, const SessionUpdate& update,
-                         const CloudFilter& filter, const DensityOptions& density);
+                         const CloudFilter& filter, const UpdateOptions& options);
 
 }  // namespace cocoon::app

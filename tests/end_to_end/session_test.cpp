@@ -323,23 +323,6 @@ TEST(Watch, WaitsForTheEndOfAFile) {
   EXPECT_EQ(content_of(watched.mesh), watched.expected({north}));
 }
 
-// Each with a session of its own.
-TEST(Watch, TwoDoNotWriteOneMesh) {
-  const Watched watched;
-  const TemporaryFolder outputs;
-  const RunningProgram program(outputs, watched.arguments);
-  ASSERT_TRUE(wait_for([&] { return std::filesystem::exists(watched.mesh); }));
-  std::vector<std::string> arguments = watched.once();
-  arguments.insert(arguments.end(), {"--session", watched.folder.file("other.session")});
-  expect_error(run_program(arguments), 1, watched.mesh + ": is in use by another run");
-  EXPECT_FALSE(std::filesystem::exists(watched.folder.file("other.session")));
-  program.send(SIGTERM);
-  EXPECT_EQ(program.wait().exit_code, 0);
-  EXPECT_FALSE(std::filesystem::exists(watched.mesh + ".lock"));
-  const ProgramRun alone = run_program(arguments);
-  EXPECT_EQ(alone.exit_code, 0) << alone.error;
-}
-
 // The lock is taken before the model is read.
 TEST(Watch, StopsCleanlyWhileItReadsItsModel) {
   const Watched watched;

@@ -9,6 +9,7 @@
 #include "update/model/irregular_sides.h"
 #include "update/report/closed_openings.h"
 #include "update/report/contradicted_samples.h"
+#include "update/report/crowded_samples.h"
 #include "update/report/loose_parts.h"
 #include "update/report/samples_with_flag.h"
 #include "update/report/unexplained_handles.h"
@@ -113,6 +114,10 @@ void enter_doubts(const ModelIndex& model, const UpdatedClouds& clouds,
     enter_handles(result);
   } else {
     enter_closed_openings(model, irregular, options.openings, result);
+  }
+  if (result.unexplained_handles > 0 || result.loose_parts.count > 0) {
+    result.crowded =
+        crowded_samples(model, result.replacement.removed, clouds.given, options.crowded);
   }
   const bool lost_handles = is_closed && result.euler > result.euler_before;
   enter_losses(model, clouds, scans, lost_handles, options.unscanned, result);

@@ -1,0 +1,49 @@
+#include "update/report/crowded_samples.h"
+
+#include <algorithm>
+
+#include "geom/messages/require_size.h"
+#include "geom/search/thin_points.h"
+#include "update/stage_options.h"
+
+namespace cocoon {
+
+namespace {
+
+// Of the edges of all triangles at the vertices, each as often as it has triangles there; 0 of
+// none.
+double median_edge_at(const ModelIndex& model, std::span<const VertexId> vertices) {
+  const TriangleMesh& mesh = model.mesh();
+  std::vector<double> lengths;
+  for (const VertexId v : vertices) {
+    require_index("crowded_samples", "vertex", v.index(), mesh.points.size());
+    model.for_each_triangle_at(v, [&](TriangleId t) {
+      for (const VertexId w : mesh.triangles[t]) {
+        if (w != v) lengths.push_back(distance(mesh.points[v], mesh.points[w]));
+      }
+    });
+  }
+  if (lengths.empty()) return 0;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+}  // namespace
+
+CrowdedSamples crowded_samples(const ModelIndex& model, std::span<const VertexId> removed,
+                               std::span<const std::vector<Point>> clouds,
+                               const CrowdedOptions& options) {
+  require_options("crowded_samples", options);
+  CrowdedSamples found;
+  found.distance = options.distance * median_edge_at(model, removed);
+  std::vector<Point> samples;
+  for (const std::vector<Point>& cloud : clouds) {
+    samples.insert(samples.end(), cloud.begin(), cloud.end());
+  }
+  found.of = samples.size();
+  if (found.distance > 0) found.closer = found.of - thin_points(samples, found.distance).size();
+  return found;
+}
+
+}  // namespace cocoon
