@@ -1,7 +1,8 @@
 #include "update/report/crowded_samples.h"
 
-#include <algorithm>
+#include <utility>
 
+#include "geom/arrays/median.h"
 #include "geom/messages/require_size.h"
 #include "geom/search/thin_points.h"
 #include "update/stage_options.h"
@@ -23,10 +24,7 @@ double median_edge_at(const ModelIndex& model, std::span<const VertexId> vertice
       }
     });
   }
-  if (lengths.empty()) return 0;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return lengths.empty() ? 0 : median(std::move(lengths));
 }
 
 }  // namespace
