@@ -193,10 +193,7 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
     warning = with_cloud_names(warning, input.cloud_names);
   }
   const NoiseFilter filter = noise_filter_of_update(!input.strays.empty());
-  std::vector<std::string> notes =
-      notes_of_uneven_clouds(result, input.cloud_names, options.cloud.density);
-  std::string crowded = note_of_crowded_samples(result, options.crowded);
-  if (!crowded.empty()) notes.push_back(std::move(crowded));
+  std::vector<std::string> notes = notes_of_clouds(result, input.cloud_names, options);
   MeshReport certificate = timed(job.execution(), "check", [&] {
     if (session == nullptr) change = mesh_change(input.model, result.mesh, result.vertex_map);
     report_lost_triangles(job, input, change, result);

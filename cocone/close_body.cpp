@@ -38,9 +38,7 @@ class BodyCloser {
   // `told` counts unless the marking has asked for labels already, as where good vertices
   // disagreed.
   ClosedBody clean_up_knowing(CellMarks marks, const KnownLabels& told) const;
-  // Makes the body again with what is likely taken for known, if too much of that contradicts it:
-  // first with marks as they are where it is known, then, if still too much does, by marks that
-  // leave more to the clean-up (mark_undoubted_cells). Takes those whose surfaces are no rougher.
+  // Counts what is likely, and makes the body again with it if too much of that is contradicted.
   void heed_likely(const KnownLabels& told, bool in_doubt, ClosedBody& best) const;
 
  private:
@@ -48,6 +46,11 @@ class BodyCloser {
     ClosedBody body;
     std::size_t unused = 0;  // samples that are not on the surface
   };
+  // Makes the body again with what is likely taken for known: first with marks as they are where it
+  // is known, then, if still more than `most` of it is contradicted, by marks that leave more to
+  // the clean-up (mark_undoubted_cells). Takes those whose surfaces are no rougher; whether one
+  // was.
+  bool make_heeding(const KnownLabels& told, bool in_doubt, double most, ClosedBody& best) const;
   // clean_up_knowing where a mesh that is none of ours tells.
   ClosedBody clean_up_foreign(const CellMarks& marks,
                               const IdVector<CellId, CellLabel>& told) const;
@@ -149,43 +152,42 @@ BodyCloser::Attempt BodyCloser::clean_up_yielding(const CellMarks& marks,
 }
 
 void BodyCloser::heed_likely(const KnownLabels& told, bool in_doubt, ClosedBody& best) const {
+  const std::size_t cells = count_labels(told.likely);
+  const std::size_t contradicted = count_contradicted(told.likely, best.marks.reached);
+  const double most = options_.max_contradicted_likely * static_cast<double>(cells);
+  const bool is_heeded =
+      static_cast<double>(contradicted) > most && make_heeding(told, in_doubt, most, best);
+  best.likely_cells = cells;
+  best.contradicted_likely = contradicted;
+  best.heeded_likely = is_heeded ? cells : 0;
+}
+
+bool BodyCloser::make_heeding(const KnownLabels& told, bool in_doubt, double most,
+                              ClosedBody& best) const {
   const IdVector<CellId, CellLabel>& likely = told.likely;
-  const std::size_t cells = count_labels(likely);
-  const auto contradicted = [&] { return count_contradicted(likely, best.marks.reached); };
-  const auto are_too_many = [&](std::size_t of_these) {
-    return static_cast<double>(of_these) >
-           options_.max_contradicted_likely * static_cast<double>(cells);
-  };
-  const std::size_t at_first = contradicted();
-  bool is_heeded = false;
-  const auto note = [&] {
-    best.likely_cells = cells;
-    best.contradicted_likely = at_first;
-    best.heeded_likely = is_heeded ? cells : 0;
-  };
-  note();
-  if (!are_too_many(at_first)) return;
   SurfaceRoughness least = roughness(best);
   KnownLabels taken;
   taken.undisturbed = told.undisturbed;
   taken.labels = with_likely(told);
+  bool is_better = false;
   const auto offer = [&](CellMarks marks) {
     ClosedBody other = clean_up_knowing(peel(std::move(marks)), taken);
     const SurfaceRoughness rough = roughness(other);
     if (!rough.is_at_most(least, options_.max_unused_per_part)) return;
-    is_heeded = true;
+    is_better = true;
     best = std::move(other);
     least = rough;
-    note();
   };
   if (in_doubt) {
     offer(mark([&](const auto&...) { return taken; }));
-    if (!are_too_many(contradicted())) return;
+    const std::size_t left = count_contradicted(likely, best.marks.reached);
+    if (!(static_cast<double>(left) > most)) return is_better;
   }
   // A mesh of another program contradicts many good vertices.
   const bool is_foreign = !told.undisturbed.empty();
   offer(mark_undoubted_cells(triangulation_, surface_, find_good_vertices(),
                              is_foreign ? likely : taken.labels, likely, execution_));
+  return is_better;
 }
 
 }  // namespace

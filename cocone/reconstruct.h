@@ -144,9 +144,9 @@ struct ReconstructResult {
 // even number of triangles, as many in one direction as in the other; `mesh` is closed, or empty
 // with the status that says why. Presumes samples of closed surfaces: an open cloud is closed
 // somehow. Progress: "delaunay", "poles", "cocone/cones", "boundary",
-// "cocone/surface", "tight/marks", "tight/body" unless the surface is certain, "second_look" (with
-// the others below it) where marks contradict each other, mostly instead of "tight/body", and
-// "verify" if asked for.
+// "cocone/surface", "tight/marks", "tight/known" where labels are told and marks are in doubt,
+// "tight/body" unless the surface is certain, "second_look" (with the others below it) where marks
+// contradict each other, mostly instead of "tight/body", and "verify" if asked for.
 // Coordinates of any finite size: beyond 2^100 or below 2^-100 the work is done on a copy scaled by
 // a power of two, which changes nothing else.
 // Errors: InputError as delaunay(), and if that scaling would lose bits: coordinates beyond 2^100

@@ -131,24 +131,33 @@ void ReconstructSteps::extract_from(KnownCandidates candidates) {
 
 void ReconstructSteps::close_surface(const KnownLabelsSource& known) {
   if (boundary_.interior() == 0) return deliver({});
+  const auto ask = [&](const auto&... asked) -> const KnownLabels& {
+    if (!told_) told_ = known(asked...);
+    return *told_;
+  };
   KnownLabelsSource source;
-  if (known && options_.mode != Mode::paper) {
-    source = [&](const auto&... asked) {
-      if (!told_) told_ = known(asked...);
-      return *told_;
-    };
-  }
+  if (known && options_.mode != Mode::paper) source = ask;
   std::optional<CellMarks> marks = mark(source);
   if (!marks) return;
+  if (source && is_in_doubt(*marks)) {
+    // The clean-up will ask, and who tells decides how a second look is judged.
+    run_step(execution_, "tight/known", [&](const Execution& nested) {
+      ask(*triangulation_, surface_.triangles.set, nested);
+    });
+  }
   if (!is_told_by_others() && calls_for_second_look(marks->conflicts, marks->poor_cells)) {
     if (told_ && !needs_links(*told_)) forget_links();
     if (look_again(marks->conflicts, std::nullopt, source)) return keep_good(std::move(*marks));
   }
   close_by(std::move(*marks), source);
-  if (!calls_for_look_at_closed()) return;
+  const ReconstructCounters& counters = result_.counters;
+  if (result_.status != SurfaceStatus::ok ||
+      !calls_for_look_at_closed(counters.marking_conflicts, counters.poor_cells)) {
+    return;
+  }
   const double cost = cost_of_result();
   const double least = cost_of({.parts = 1}, options_.clean_up);
-  if (cost > least) look_again(result_.counters.marking_conflicts, cost, source);
+  if (cost > least) look_again(counters.marking_conflicts, cost, source);
 }
 
 std::optional<CellMarks> ReconstructSteps::mark(const KnownLabelsSource& known) {
@@ -170,11 +179,10 @@ std::optional<CellMarks> ReconstructSteps::mark(const KnownLabelsSource& known) 
   };
   return run_step(execution_, "tight/marks", [&](const Execution& nested) {
     std::optional<CellMarks> marks = marked(nested);
-    if (!marks) return marks;
-    const FacetSet& set = surface_.triangles.set;
-    marks = peel_cells(*triangulation_, set, *std::move(marks), options_.peel, nested);
-    // They will ask, and who tells decides how a second look is judged.
-    if (known && is_in_doubt(*marks)) known(*triangulation_, set, nested);
+    if (marks) {
+      marks = peel_cells(*triangulation_, surface_.triangles.set, *std::move(marks), options_.peel,
+                         nested);
+    }
     return marks;
   });
 }
@@ -283,10 +291,9 @@ bool ReconstructSteps::calls_for_second_look(std::size_t conflicts, std::size_t 
   return cocoon::calls_for_second_look(options_.second_look, {conflicts, poor, result_.vertices});
 }
 
-bool ReconstructSteps::calls_for_look_at_closed() const {
-  const ReconstructCounters& counters = result_.counters;
-  return is_told_by_others() && result_.status == SurfaceStatus::ok &&
-         calls_for_second_look(counters.marking_conflicts, counters.poor_cells);
+bool ReconstructSteps::calls_for_look_at_closed(std::size_t conflicts,
+                                                std::size_t poor_cells) const {
+  return is_told_by_others() && calls_for_second_look(conflicts, poor_cells);
 }
 
 double ReconstructSteps::cost_of_result() const {
@@ -325,8 +332,7 @@ void ReconstructSteps::deliver(ClosedBody body, const Execution& execution) {
   CellMarks& marks = body.marks;
   // A look at what is closed needs the mesh.
   const bool is_to_be_seen =
-      is_flawed(body.clean_up) ||
-      (is_told_by_others() && calls_for_second_look(marks.conflicts, marks.poor_cells));
+      is_flawed(body.clean_up) || calls_for_look_at_closed(marks.conflicts, marks.poor_cells);
   if (live_ != nullptr && live_->take_body(*triangulation_, marks.reached, is_to_be_seen)) {
     result_.status = SurfaceStatus::ok;
   } else {

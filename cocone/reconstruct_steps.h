@@ -83,7 +83,7 @@ class ReconstructSteps {
   bool is_told_by_others() const { return told_ && !told_->undisturbed.empty(); }
   bool calls_for_second_look(std::size_t conflicts, std::size_t poor_cells) const;
   // Such a mesh: its marks may have been made again since.
-  bool calls_for_look_at_closed() const;
+  bool calls_for_look_at_closed(std::size_t conflicts, std::size_t poor_cells) const;
   double cost_of_result() const;
   // Whether the second look is better than the first one, with so many conflicts, and its result is
   // the result now. `cost`: of the surface that is closed already; none: it is not, and marks

@@ -1,6 +1,6 @@
 #include "cocone/second_look.h"
 
-#include <algorithm>
+#include "cocone/energy/cell_energy.h"
 
 namespace cocoon {
 
@@ -14,10 +14,11 @@ bool calls_for_second_look(const SecondLookOptions& options, const Contradiction
 }
 
 double cost_of(const SurfaceRoughness& roughness, const CleanUpOptions& costs) {
-  constexpr double most = 0x1p20;  // as in the clean-up
-  return std::min(costs.component_cost, most) * static_cast<double>(roughness.parts) +
-         std::min(costs.handle_cost, most) / 2 * static_cast<double>(roughness.twice_handles) +
-         std::min(costs.unused_cost, most) * static_cast<double>(roughness.unused_vertices);
+  // In doubles: so many of the most that a cost counts as are beyond Energy.
+  const auto units = [](double cost) { return 0x1p-20 * static_cast<double>(to_energy(cost)); };
+  return units(costs.component_cost) * static_cast<double>(roughness.parts) +
+         units(costs.handle_cost) / 2 * static_cast<double>(roughness.twice_handles) +
+         units(costs.unused_cost) * static_cast<double>(roughness.unused_vertices);
 }
 
 }  // namespace cocoon

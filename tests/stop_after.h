@@ -1,7 +1,9 @@
 // Operations that are cancelled at one of their reports.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "geom/errors.h"
 #include "geom/execution.h"
@@ -13,6 +15,13 @@ struct StopAfter : Progress {
   explicit StopAfter(int n) : left(n) {}
   bool report(std::string_view, double) override { return --left > 0; }
   int left;
+};
+
+// Stops at the first report of this stage.
+struct StopIn : Progress {
+  explicit StopIn(std::string where) : stop_at(std::move(where)) {}
+  bool report(std::string_view stage, double) override { return stage != stop_at; }
+  std::string stop_at;
 };
 
 // Calls run(progress), which is stopped at its first report, then at the one `stride` later, and so

@@ -23,14 +23,14 @@ NoiseFilter noise_filter_of_update(bool filtered) {
   return filtered ? NoiseFilter::no_option : NoiseFilter::of_strays;
 }
 
-std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
-                                                const std::vector<std::string>& names,
-                                                const DensityOptions& options) {
+std::vector<std::string> notes_of_clouds(const UpdateResult& result,
+                                         const std::vector<std::string>& names,
+                                         const UpdateOptions& options) {
   std::vector<std::string> notes;
   for (std::size_t c = 0; c < result.clouds.size(); ++c) {
     const CloudSurface& surface = result.clouds[c].surface;
     const SpacingRange& range = surface.spacing;
-    if (!range.is_uneven(options.min_ratio)) continue;
+    if (!range.is_uneven(options.cloud.density.min_ratio)) continue;
     const char* what = surface.set_aside > 0
                            ? "few of the dense ones were looked at to find its rim"
                            : "one limit of distance does not fit both";
@@ -39,16 +39,13 @@ std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
                     "something is wrong, try --thin {:.2g}",
                     names[c], range.low, range.high, what, range.high));
   }
+  if (const CrowdedSamples& found = result.crowded; found.are_many(options.crowded)) {
+    notes.push_back(fmt::format(
+        "{} of {} samples lie closer to others than {:.2g}, as in layers of views that are out of "
+        "register: if handles or parts of the surface are wrong, try --thin {:.2g}",
+        found.closer, found.of, found.distance, found.distance));
+  }
   return notes;
-}
-
-std::string note_of_crowded_samples(const UpdateResult& result, const CrowdedOptions& options) {
-  const CrowdedSamples& found = result.crowded;
-  if (!found.are_many(options)) return {};
-  return fmt::format(
-      "{} of {} samples lie closer to others than {:.2g}, as in layers of views that are out of "
-      "register: if handles or parts of the surface are wrong, try --thin {:.2g}",
-      found.closer, found.of, found.distance, found.distance);
 }
 
 std::string with_cloud_names(const std::string& message, const std::vector<std::string>& names) {

@@ -25,14 +25,12 @@ std::vector<Finding> findings_of_update(const ReconstructResult& surface, Points
 // What the findings of an update are to say of its filter.
 NoiseFilter noise_filter_of_update(bool filtered);
 
-// Of clouds whose samples lie much farther apart in some places than in others (spacing_range).
-std::vector<std::string> notes_of_uneven_clouds(const UpdateResult& result,
-                                                const std::vector<std::string>& names,
-                                                const DensityOptions& options);
-
-// What to try where the surface has handles or parts that nothing explains, and many samples lie
-// closer together than the vertices of the model; empty: nothing.
-std::string note_of_crowded_samples(const UpdateResult& result, const CrowdedOptions& options);
+// Of clouds whose samples lie much farther apart in some places than in others (spacing_range); and
+// what to try where the surface has handles or parts that nothing explains, and many samples lie
+// closer together than the vertices of the model.
+std::vector<std::string> notes_of_clouds(const UpdateResult& result,
+                                         const std::vector<std::string>& names,
+                                         const UpdateOptions& options);
 
 // Messages of the library number the clouds ("cloud 1 of 2"); people know them by their files.
 std::string with_cloud_names(const std::string& message, const std::vector<std::string>& names);

@@ -49,11 +49,8 @@ std::string told_applied(const DroppedClouds& dropped, const SessionUpdate& upda
   if (filter.strays) {
     line += fmt::format("; {} left out as noise", told_strays(total_of(dropped.strays)));
   }
-  std::vector<std::string> notes =
-      notes_of_uneven_clouds(result, dropped.names, options.cloud.density);
-  notes.push_back(note_of_crowded_samples(result, options.crowded));
-  for (const std::string& note : notes) {
-    if (!note.empty()) line += "; note: " + note;
+  for (const std::string& note : notes_of_clouds(result, dropped.names, options)) {
+    line += "; note: " + note;
   }
   for (const std::string& warning : result.warnings) {
     line += "; warning: " + with_cloud_names(warning, dropped.names);

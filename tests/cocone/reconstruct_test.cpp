@@ -14,6 +14,7 @@
 #include "io/point_file.h"
 #include "tests/cocone/sample_shapes.h"
 #include "tests/gallery.h"
+#include "tests/stop_after.h"
 
 namespace cocoon {
 namespace {
@@ -458,10 +459,9 @@ TEST(Reconstruct, ReportsItsStages) {
   struct Recorder : Progress {
     bool report(std::string_view stage, double fraction) override {
       if (fraction == 1) ++finished[std::string(stage)];
-      return stage != stop_at;
+      return true;
     }
     std::map<std::string, int> finished;
-    std::string stop_at;
   };
   const std::vector<Point> points = shapes::sphere(300, 21);
   Recorder recorder;
@@ -474,8 +474,7 @@ TEST(Reconstruct, ReportsItsStages) {
   Recorder of_noise;
   reconstruct_tight(shapes::noisy_sphere(300, 0.05, 21), {}, {.progress = &of_noise});
   EXPECT_EQ(of_noise.finished["tight/body"], 1);
-  Recorder stopping;
-  stopping.stop_at = "boundary";
+  test::StopIn stopping("boundary");
   EXPECT_THROW(reconstruct_tight(points, {}, {.progress = &stopping}), Cancelled);
 }
 

@@ -9,8 +9,6 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "cocone/reconstruct.h"
@@ -18,6 +16,7 @@
 #include "geom/random/random.h"
 #include "tests/cocone/changing_points.h"
 #include "tests/cocone/sample_shapes.h"
+#include "tests/stop_after.h"
 
 namespace cocoon {
 namespace {
@@ -261,11 +260,6 @@ TEST(SecondLook, IsThatOfStartingOverAfterEachChange) {
 
 // Wherever it is cancelled, in either look, the points before are there again.
 TEST(SecondLook, CancelledInItTheSurfaceBeforeStays) {
-  struct StopIn : Progress {
-    explicit StopIn(std::string where) : stop_at(std::move(where)) {}
-    bool report(std::string_view stage, double) override { return stage != stop_at; }
-    std::string stop_at;
-  };
   const ChangingPoints before(blocks(0.2, 1));
   ASSERT_EQ(reconstruct_tight(before.points).counters.second_look, 1U);
   for (const char* stage : {"second_look/poles", "second_look/cocone/surface",
@@ -275,7 +269,7 @@ TEST(SecondLook, CancelledInItTheSurfaceBeforeStays) {
     cocone.reconstruct(before.points);
     ChangingPoints changing = before;
     changing.change([](const Point& p) { return p.z > 9.5 && p.x < 4; }, {});
-    StopIn stop(stage);
+    test::StopIn stop(stage);
     EXPECT_THROW(cocone.replace(changing.points, changing.old_position, {1, &stop}), Cancelled);
     changing = before;
     changing.change([](const Point&) { return false; }, {});

@@ -1,37 +1,34 @@
 // Six views of one cap of a ball, each out of register by a third of the spacing: the surface of
 // all samples has handles between the layers. What the note says mends it.
 #include <cmath>
+#include <cstddef>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "geom/point.h"
 #include "geom/random/random.h"
+#include "tests/gallery.h"
 #include "tests/run_program.h"
 #include "tests/temporary_folder.h"
+#include "tests/test_clouds.h"
 
 namespace cocoon::test {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr int samples_of_ball = 3000;
+constexpr std::size_t samples_of_ball = 3000;
 const double spacing = std::sqrt(4 * std::numbers::pi / samples_of_ball);
 
-// Samples of the unit sphere along a spiral, each moved by up to `noise`.
-std::vector<Point> spiral(double noise, Random& random) {
-  std::vector<Point> points;
-  for (int i = 0; i < samples_of_ball; ++i) {
-    const double z = 1 - 2 * (i + 0.5) / samples_of_ball;
-    const double r = std::sqrt(1 - z * z);
-    const double angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
-    Point p{r * std::cos(angle), r * std::sin(angle), z};
+// Each sample moved by up to `noise`.
+std::vector<Point> ball(double noise, Random& random) {
+  std::vector<Point> points = gallery::even_sphere(samples_of_ball);
+  for (Point& p : points) {
     for (double* c : {&p.x, &p.y, &p.z}) *c += random.uniform(-noise, noise);
-    points.push_back(p);
   }
   return points;
 }
@@ -42,7 +39,7 @@ std::vector<Point> layered_cap(double shift, Random& random) {
     Vec3 by{};
     for (double* c : {&by.x, &by.y, &by.z}) *c = random.uniform(-shift, shift);
     const double turn = random.uniform(0, 6);
-    for (const Point& p : spiral(0.05 * spacing, random)) {
+    for (const Point& p : ball(0.05 * spacing, random)) {
       if (p.z < 0.75) continue;
       points.push_back(Point{p.x * std::cos(turn) - p.y * std::sin(turn),
                              p.x * std::sin(turn) + p.y * std::cos(turn), p.z} +
@@ -53,16 +50,15 @@ std::vector<Point> layered_cap(double shift, Random& random) {
 }
 
 std::string text_of(const std::vector<Point>& points) {
-  std::ostringstream text;
-  text.precision(12);
-  for (const Point& p : points) text << p.x << ' ' << p.y << ' ' << p.z << '\n';
-  return text.str();
+  std::string text;
+  for (const Point& p : points) text += point_line(p.x, p.y, p.z);
+  return text;
 }
 
 TEST(LayeredUpdate, TheNoteNamesADistanceThatMendsIt) {
   const TemporaryFolder folder;
   Random random(3);
-  const std::string points = folder.write("ball.xyz", text_of(spiral(0, random)));
+  const std::string points = folder.write("ball.xyz", text_of(ball(0, random)));
   const std::string model = folder.file("ball.ply");
   ASSERT_EQ(run_program({"reconstruct", points, "-o", model}).exit_code, 0);
   std::size_t noted = 0;

@@ -7,6 +7,7 @@
 
 #include "geom/arrays/sort_ids.h"
 #include "geom/messages/require_size.h"
+#include "update/model/require_ascending.h"
 #include "update/model/sample_heights.h"
 #include "update/stage_options.h"
 
@@ -137,6 +138,7 @@ std::vector<VertexId> unchanged_rest(const ModelIndex& model, std::span<const Ve
                model.mesh().points.size());
   require_size("unchanged_rest", "flags of replaced regions", choice.replaced.size(),
                regions.regions.size());
+  require_ascending("unchanged_rest", "removed vertices", removed, model.mesh().points.size());
   if (options.reach == 0) return {};
   const auto is_firm = [&](VertexId v) {
     const RegionId group = regions.group_of_vertex[v];

@@ -30,9 +30,9 @@ struct UnchangedRestOptions {
 // scan ends.
 // clouds[c]: the samples of scans[c]. Nothing of a piece stays at a facet of regions that are said
 // to go. Errors: InputError if not every scan has a tree, for regions of another model, by their
-// sizes, and for options out of range. Complexity: O(r log n) for r removed vertices, and what
-// NearFacets takes if any comes in question. Deterministic. Source: ours, docs/update.md,
-// departure 37.
+// sizes, for vertices that are not ascending or not of the model, and for options out of range.
+// Complexity: O(r log n) for r removed vertices, and what NearFacets takes if any comes in
+// question. Deterministic. Source: ours, docs/update.md, departure 37.
 std::vector<VertexId> unchanged_rest(const ModelIndex& model, std::span<const VertexId> removed,
                                      const Regions& regions, const RegionChoice& choice,
                                      std::span<const RegionId> said_to_go,
