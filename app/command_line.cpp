@@ -167,6 +167,12 @@ void add_groups(CLI::App& app, const std::string& name, std::vector<std::uint32_
       ->check(CLI::Range(0, std::numeric_limits<std::int32_t>::max()));
 }
 
+void add_keep_crowded(CLI::App& app, bool& keep_crowded) {
+  app.add_flag("--keep-crowded", keep_crowded,
+               "Keep all samples where new scans lie in layers, out of register, even if the "
+               "surface has fewer handles or parts without those that crowd");
+}
+
 void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared) {
   CLI::App* sub = nullptr;
   auto& update = add_command<UpdateArguments>(
@@ -177,7 +183,7 @@ void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared)
   sub->add_option("CLOUD", update.clouds, "New scans, registered to the model");
   sub->add_option("--session", update.session,
                   "Go on from this session instead of a MODEL, and write it back; its parameters "
-                  "hold, but for --rho")
+                  "hold, but for --rho and --keep-crowded")
       ->type_name("FILE");
   add_mesh_output(*sub, update.mesh, update.writing,
                   keeps_properties + " (but for --session and, of MODEL, --densify)");
@@ -195,6 +201,7 @@ void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared)
              "that the same update without it tells");
   add_groups(*sub, "--keep-groups", update.kept_groups, "Keep these groups of the model, likewise");
   add_surface_options(*sub, update.parameters, rho_of_clouds);
+  add_keep_crowded(*sub, update.parameters.keep_crowded);
   add_cloud_filter(*sub, update.filter);
 }
 
@@ -229,6 +236,7 @@ void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) 
                 "of one change: they are applied in one update");
   sub->add_flag("--once", watch.once, "Stop when all clouds that are there have been looked at");
   add_surface_options(*sub, watch.parameters, rho_of_clouds);
+  add_keep_crowded(*sub, watch.parameters.keep_crowded);
   add_cloud_filter(*sub, watch.filter);
 }
 

@@ -37,7 +37,8 @@ struct SurfaceArguments {
   std::optional<double> cocone_angle_deg;  // -c: half opening of the cocone about the tangent plane
   std::optional<double> sharp_angle_deg;   // -s: dihedral angle below which an edge is sharp
   Mode mode = Mode::robust;
-  bool verify = false;  // certify triangulation and surface before writing
+  bool verify = false;        // certify triangulation and surface before writing
+  bool keep_crowded = false;  // of updates: no samples are left out for being in layers
 };
 
 // What is done about noise before anything else.

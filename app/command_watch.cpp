@@ -265,6 +265,7 @@ class Watch {
       findings_are_due_ = true;
     }
     PendingUpdate applied{{}, std::move(drop.clouds), arguments_.parameters.rho};
+    applied.keep_crowded = arguments_.parameters.keep_crowded;
     for (const NotedFile& file : drop.files) applied.notes.push_back(note_of_applied(file));
     session_.keep(applied);
     applied_ += drop.files.size();

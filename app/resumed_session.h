@@ -20,9 +20,9 @@ struct ResumedSession {
   std::size_t pending = 0;  // notes that are not in the file
 };
 
-// Takes up a session with its pending clouds; `rho` and `verify` of `parameters` hold for updates
-// to come, the other parameters are the session's own. Errors: FileError; InputError if a pending
-// cloud can no longer be applied.
+// Takes up a session with its pending clouds; `rho`, `keep_crowded` and `verify` of `parameters`
+// hold for updates to come, the other parameters are the session's own. Errors: FileError;
+// InputError if a pending cloud can no longer be applied.
 void resume_session(const std::string& path, SavedSession saved, const SurfaceArguments& parameters,
                     const Execution& execution, ResumedSession& resumed);
 

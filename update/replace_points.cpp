@@ -6,6 +6,7 @@
 #include "geom/arrays/large_pages.h"
 #include "geom/arrays/list_edit.h"
 #include "geom/box.h"
+#include "geom/messages/require_size.h"
 #include "geom/search/equal_points.h"
 #include "update/model/require_ascending.h"
 
@@ -107,9 +108,7 @@ void tell_positions(const ListEdit<VertexId>& edit, std::size_t num_vertices,
   }
 }
 
-}  // namespace
-
-Replacement replace_points(const ModelIndex& index, ReplacedVertices vertices,
+Replacement replace_by_all(const ModelIndex& index, ReplacedVertices vertices,
                            std::span<const std::vector<Point>> added) {
   const std::size_t num_vertices = index.mesh().points.size();
   require_ascending("replace_points", "removed vertices", vertices.removed, num_vertices);
@@ -120,6 +119,47 @@ Replacement replace_points(const ModelIndex& index, ReplacedVertices vertices,
   const std::vector<PointId> new_position = add_clouds(index, edit, added, result);
   tell_positions(edit, num_vertices, added, new_position, result);
   result.removed = std::move(edit.removed);
+  return result;
+}
+
+using Flags = IdVector<PointId, std::uint8_t>;
+
+std::vector<std::vector<Point>> without(std::span<const std::vector<Point>> clouds,
+                                        std::span<const Flags> left_out) {
+  std::vector<std::vector<Point>> rest(clouds.size());
+  for (std::size_t c = 0; c < clouds.size(); ++c) {
+    require_size("replace_points", "flags", left_out[c].size(), clouds[c].size());
+    for (const PointId p : left_out[c].ids()) {
+      if (left_out[c][p] == 0) rest[c].push_back(clouds[c][p.index()]);
+    }
+  }
+  return rest;
+}
+
+// From positions of those that came in to positions of all samples of the cloud.
+IdVector<PointId, PointId> with_left_out(const IdVector<PointId, PointId>& positions,
+                                         const Flags& left_out) {
+  IdVector<PointId, PointId> of_all(left_out.size());
+  std::size_t next = 0;
+  for (const PointId p : left_out.ids()) {
+    if (left_out[p] == 0) of_all[p] = positions[PointId(next++)];
+  }
+  return of_all;
+}
+
+}  // namespace
+
+Replacement replace_points(const ModelIndex& index, ReplacedVertices vertices,
+                           std::span<const std::vector<Point>> added,
+                           std::span<const IdVector<PointId, std::uint8_t>> left_out) {
+  if (left_out.empty()) return replace_by_all(index, std::move(vertices), added);
+  require_size("replace_points", "clouds with flags", left_out.size(), added.size());
+  Replacement result = replace_by_all(index, std::move(vertices), without(added, left_out));
+  for (std::size_t c = 0; c < added.size(); ++c) {
+    IdVector<PointId, PointId>& positions = result.point_of_cloud_point[c];
+    result.left_out += added[c].size() - positions.size();
+    positions = with_left_out(positions, left_out[c]);
+  }
   return result;
 }
 

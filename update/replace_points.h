@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,18 +23,22 @@ struct Replacement : ReplacedVertices {
   std::vector<Point> points;
   // Where a model vertex went; none: removed. Equal vertices share a point.
   IdVector<VertexId, PointId> point_of_vertex;
-  std::vector<IdVector<PointId, PointId>> point_of_cloud_point;  // per cloud added
+  // Of each cloud added, where its samples went; none: left out.
+  std::vector<IdVector<PointId, PointId>> point_of_cloud_point;
   // Whether each vertex that stays has its own point: these are the first points then.
   bool kept_are_distinct = false;
   std::size_t duplicates = 0;  // points left out because an equal one came before
+  std::size_t left_out = 0;    // samples that were to be left out
 };
 
-// Replaces the vertices that go by the clouds `added`.
-// Errors: InputError for vertices that are not ascending or not of the model.
-// Complexity: O(n) for n points. Deterministic.
-// Source: Woo & Dey 2005, section 3.4.
+// Replaces the vertices that go by the clouds `added`, but for the samples whose flag in
+// `left_out`, for each cloud one of each sample, is not 0; without flags all come in. Errors:
+// InputError for vertices that are not ascending or not of the model, and for flags that are too
+// few or too many. Complexity: O(n) for n points. Deterministic. Source: Woo & Dey 2005,
+// section 3.4.
 Replacement replace_points(const ModelIndex& model, ReplacedVertices vertices,
-                           std::span<const std::vector<Point>> added);
+                           std::span<const std::vector<Point>> added,
+                           std::span<const IdVector<PointId, std::uint8_t>> left_out = {});
 
 // The same with those of replaced_vertices(). `added`: what comes in, the samples of `clouds` in
 // the order wanted.

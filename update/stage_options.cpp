@@ -230,7 +230,8 @@ void require_options(const char* stage, const UnscannedOptions& options) {
 }
 
 void require_options(const char* stage, const CrowdedOptions& options) {
-  require_amounts(stage, {{"crowded.distance", options.distance}});
+  require_amounts(stage, {{"crowded.distance", options.distance},
+                          {"crowded.min_thickness", options.min_thickness}});
   require_shares(stage, {{"crowded.min_share", options.min_share}});
 }
 

@@ -69,6 +69,7 @@ UpdateOptions paper_update_options() {
   options.cloud.density.min_ratio = 0;
   options.cloud.layers.spread = 0;
   options.choice.turned_away = std::numbers::pi;
+  options.crowded.leave_out = false;
   return options;
 }
 

@@ -149,7 +149,8 @@ struct UpdateParts {
   // The index of the model, always the same; called after the clouds' surfaces.
   std::function<const ModelIndex&(const Execution& execution)> index;
   // reconstruct_tight_with_labels of the updated points and what is known of the model. May leave
-  // out the mesh, and what the result has of each vertex, if each point is a vertex.
+  // out the mesh, and what the result has of each vertex, if each point is a vertex. Each call
+  // starts from the model; the last one is that of the result.
   std::function<UpdatedSurface(const Replacement& replacement, const OldSurface& old,
                                const Execution& execution)>
       reconstruct;

@@ -197,6 +197,7 @@ std::optional<ListEdit<PointId>> UpdateSession::edit_of_points(
 
 ReconstructResult UpdateSession::reconstruct(const Replacement& replacement, const OldSurface& old,
                                              const Execution& execution, Pending& pending) {
+  if (pending.done) take_back(std::exchange(pending, {}));
   ReconstructResult result;
   surface_.keep_cavities(keeps_cavities(options_.reconstruct, *index_));
   if (surface_.num_points() == 0) {

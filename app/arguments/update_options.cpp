@@ -17,6 +17,7 @@ UpdateOptions update_options(const SurfaceArguments& arguments) {
   if (arguments.alpha_deg) {
     options.cloud.start.alpha_cosine = options.cloud.reconstruct.boundary.alpha_cosine;
   }
+  if (arguments.keep_crowded) options.crowded.leave_out = false;
   SurfaceArguments closed = arguments;
   closed.rho.reset();
   options.reconstruct = surface_options(closed, options.reconstruct);
@@ -33,6 +34,7 @@ RegionOverrides region_overrides(const UpdateArguments& arguments) {
 void add_update_parameters(JsonReport& report, const UpdateOptions& options) {
   add_parameters(report, options.cloud.reconstruct);
   add_parameters(report, options.reconstruct, "model");
+  report.set("parameters/keep_crowded", !options.crowded.leave_out);
 }
 
 }  // namespace cocoon::app

@@ -17,12 +17,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view magic = "COCOONCL";
-constexpr std::uint32_t version = 3;
+constexpr std::uint32_t version = 4;
 constexpr std::uint32_t oldest_version = 1;
 constexpr std::uint32_t first_version_with_count = 3;
 constexpr std::size_t least_header = 48;  // of versions 1 and 2
 
-enum Bits : std::uint32_t { has_rho = 1, is_refused = 2 };
+enum Bits : std::uint32_t { has_rho = 1, is_refused = 2, keeps_crowded = 4 };
 
 // What stands for the notes before a cloud.
 std::uint64_t history_of(std::span<const std::string> notes) {
@@ -134,6 +134,7 @@ PendingUpdate load_update(const fs::path& path, std::span<const std::string> not
   PendingUpdate update;
   if ((bits & has_rho) != 0) update.rho = rho;
   update.refused = (bits & is_refused) != 0;
+  update.keep_crowded = (bits & keeps_crowded) != 0;
   const std::optional<std::vector<CloudSizes>> sizes =
       next_sizes(file, found >= first_version_with_count);
   if (!sizes) {
@@ -169,7 +170,8 @@ void save_pending_clouds(const std::string& session, std::span<const std::string
   SummedFile file(pending_cloud_file(session, notes.size()));
   file.append(magic);
   file.append(version);
-  file.append((update.rho ? has_rho : 0U) | (update.refused ? is_refused : 0U));
+  file.append((update.rho ? has_rho : 0U) | (update.refused ? is_refused : 0U) |
+              (update.keep_crowded ? keeps_crowded : 0U));
   file.append(update.rho.value_or(0));
   file.append(history_of(notes));
   file.append(std::uint64_t{update.notes.size()});

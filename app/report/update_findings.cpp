@@ -39,11 +39,17 @@ std::vector<std::string> notes_of_clouds(const UpdateResult& result,
                     "something is wrong, try --thin {:.2g}",
                     names[c], range.low, range.high, what, range.high));
   }
+  const std::size_t left_out = result.replacement.left_out;
   if (const CrowdedSamples& found = result.crowded; found.are_many(options.crowded)) {
     notes.push_back(fmt::format(
         "{} of {} samples lie closer to others than {:.2g}, as in layers of views that are out of "
-        "register: if handles or parts of the surface are wrong, try --thin {:.2g}",
-        found.closer, found.of, found.distance, found.distance));
+        "register: {}",
+        found.closer, found.of, found.distance,
+        left_out > 0
+            ? std::string("they are left out, since the surface has fewer handles or parts without "
+                          "them (--keep-crowded keeps them)")
+            : fmt::format("if handles or parts of the surface are wrong, try --thin {:.2g}",
+                          found.distance)));
   }
   return notes;
 }

@@ -349,6 +349,9 @@ PageTable point_table(const UpdateRecord& record) {
     table.rows.push_back({word("+ cloud"), number(cloud.size())});
   }
   table.rows.push_back({word("\u2212 replaced"), number(replacement.replaced)});
+  if (replacement.left_out > 0) {
+    table.rows.push_back({word("\u2212 left out, in layers"), number(replacement.left_out)});
+  }
   table.rows.push_back({word("\u2212 equal to another"), number(replacement.duplicates)});
   table.rows.push_back({word("updated"), number(replacement.points.size())});
   return table;

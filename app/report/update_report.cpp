@@ -174,6 +174,8 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   if (result.crowded.distance > 0) {
     report.set("update/crowded_samples", result.crowded.closer);
     report.set("update/crowded_distance", result.crowded.distance);
+    report.set("update/crowded_thickness", result.crowded.thickness);
+    report.set("update/left_out_samples", result.replacement.left_out);
   }
   report.set("update/closed_openings", result.closed_openings.edges);
   report.set("update/model_euler", result.euler_before);

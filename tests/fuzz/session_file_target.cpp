@@ -36,6 +36,7 @@ void check_pending_clouds(const TemporaryFolder& folder) {
   require(again.notes == update.notes, "the notes read back");
   require(again.rho.has_value() == update.rho.has_value(), "so does whether rho was given");
   require(again.refused == update.refused, "and whether it was refused");
+  require(again.keep_crowded == update.keep_crowded, "and whether all samples came in");
   require(std::equal(again.clouds.begin(), again.clouds.end(), update.clouds.begin(),
                      update.clouds.end(), same_bits),
           "the points read back");

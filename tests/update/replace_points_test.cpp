@@ -1,5 +1,6 @@
 #include "update/replace_points.h"
 
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -49,6 +50,34 @@ TEST(ReplacePoints, EqualPointsAreMerged) {
   const Replacement merged = scene.replace();
   EXPECT_EQ(merged.point_of_vertex[at_corner], merged.point_of_vertex[VertexId(0)]);
   EXPECT_FALSE(merged.kept_are_distinct);
+}
+
+TEST(ReplacePoints, SamplesWithAFlagAreLeftOut) {
+  ReplacedDisk scene;
+  scene.clouds.push_back({{11, 10, 2}, {12, 10, 2}});
+  const ModelIndex index(scene.model);
+  const ReplacedVertices replaced = replaced_vertices(index, scene.regions, scene.choice,
+                                                      scene.rims, {scene.clouds.data(), 1}, {});
+  using Flags = IdVector<PointId, std::uint8_t>;
+  std::vector<Flags> left_out = {Flags(std::vector<std::uint8_t>{0, 1, 0}),
+                                 Flags(std::vector<std::uint8_t>{0, 0})};
+  const Replacement result = replace_points(index, replaced, scene.clouds, left_out);
+  EXPECT_EQ(result.left_out, 1U);
+  EXPECT_EQ(result.duplicates, 0U);  // the first of the two at one place is not there
+  ASSERT_EQ(result.points.size(), result.kept + 4);
+  EXPECT_TRUE(result.point_of_cloud_point[0][PointId(1)].is_none());
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (const PointId p : result.point_of_cloud_point[c].ids()) {
+      const PointId at = result.point_of_cloud_point[c][p];
+      if (at.is_none()) continue;
+      EXPECT_EQ(result.points[at.index()], scene.clouds[c][p.index()]);
+    }
+  }
+  EXPECT_EQ(replace_points(index, replaced, scene.clouds).left_out, 0U);
+  left_out[1] = Flags(3, 0);
+  EXPECT_THROW(replace_points(index, replaced, scene.clouds, left_out), InputError);
+  left_out.pop_back();
+  EXPECT_THROW(replace_points(index, replaced, scene.clouds, left_out), InputError);
 }
 
 // Equal vertices are one point even where no cloud is near them; and a sample that is equal to a

@@ -5,6 +5,7 @@
 #include "geom/arrays/median.h"
 #include "geom/messages/require_size.h"
 #include "geom/search/thin_points.h"
+#include "update/cloud/layer_thickness.h"
 #include "update/stage_options.h"
 
 namespace cocoon {
@@ -40,7 +41,20 @@ CrowdedSamples crowded_samples(const ModelIndex& model, std::span<const VertexId
     samples.insert(samples.end(), cloud.begin(), cloud.end());
   }
   found.of = samples.size();
-  if (found.distance > 0) found.closer = found.of - thin_points(samples, found.distance).size();
+  const std::uint8_t is_any = found.distance > 0 ? 1 : 0;
+  for (const std::vector<Point>& cloud : clouds) {
+    found.is_closer.emplace_back(cloud.size(), is_any);
+  }
+  if (found.distance == 0) return found;
+  const std::vector<PointId> apart = thin_points(samples, found.distance);
+  found.closer = found.of - apart.size();
+  found.thickness = layer_thickness(samples, apart, found.distance);
+  std::size_t c = 0;
+  std::size_t first = 0;  // of cloud c
+  for (const PointId p : apart) {
+    while (p.index() - first >= clouds[c].size()) first += clouds[c++].size();
+    found.is_closer[c][PointId(p.index() - first)] = 0;
+  }
   return found;
 }
 

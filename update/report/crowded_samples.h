@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "geom/id_vector.h"
 #include "geom/ids.h"
 #include "geom/point.h"
 #include "update/model/model_index.h"
@@ -16,15 +18,25 @@ struct CrowdedOptions {
   double distance = 0.62;
   // Of all samples, fewer mean nothing.
   double min_share = 0.25;
+  // They lie in layers if they are as thick (layer_thickness.h), around those that keep the
+  // distance.
+  double min_thickness = 0.17;
+  // If they are many and lie in layers, whether a surface without them is tried, too.
+  bool leave_out = true;
 };
 
 struct CrowdedSamples {
   double distance = 0;
   std::size_t closer = 0;  // would have to go so that the others keep it (thin_points)
   std::size_t of = 0;      // samples in all
+  double thickness = 0;
+  std::vector<IdVector<PointId, std::uint8_t>> is_closer;  // for each cloud, of each sample
 
   bool are_many(const CrowdedOptions& options) const {
     return closer > 0 && static_cast<double>(closer) >= options.min_share * static_cast<double>(of);
+  }
+  bool are_in_layers(const CrowdedOptions& options) const {
+    return are_many(options) && thickness >= options.min_thickness;
   }
 };
 

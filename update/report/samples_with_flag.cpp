@@ -19,6 +19,7 @@ std::vector<std::vector<Point>> samples_with_flag(const Replacement& replacement
     for (const std::size_t member : joined[c].members) {
       const IdVector<PointId, PointId>& position = replacement.point_of_cloud_point[member];
       for (const PointId k : position.ids()) {
+        if (position[k].is_none()) continue;
         std::uint8_t& wanted = flags[position[k]];
         if (wanted != 0) samples[c].push_back(clouds[member][k.index()]);
         wanted = 0;

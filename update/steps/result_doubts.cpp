@@ -29,9 +29,7 @@ void warn_of_overlooked(const ModelIndex& model, const OverlookedOptions& option
                                                   options, result.replacement.overlooked));
 }
 
-// None without a mesh: it is connected (UpdatedSurface).
-void enter_loose_parts(UpdateResult& result) {
-  result.loose_parts = loose_parts(result.mesh, first_vertex_of_clouds(result.vertex_map));
+void warn_of_loose_parts(UpdateResult& result) {
   if (result.loose_parts.count == 0) return;
   result.warnings.push_back(
       warning_of_loose_parts(result.loose_parts, result.mesh.points[result.loose_parts.at]));
@@ -74,14 +72,6 @@ void enter_closed_openings(const ModelIndex& model, std::span<const EdgeSide> ir
       warning_of_openings(result.closed_openings, model.mesh().points[result.closed_openings.at]));
 }
 
-void enter_handles(UpdateResult& result) {
-  result.unexplained_handles = unexplained_handles(result.clouds, result.choice.undecided_loops,
-                                                   result.euler_before, result.euler);
-  if (result.unexplained_handles > 0) {
-    result.warnings.push_back(warning_of_handles(result.unexplained_handles));
-  }
-}
-
 void enter_losses(const ModelIndex& model, const UpdatedClouds& clouds, std::span<const Scan> scans,
                   bool lost_handles, const UnscannedOptions& options, UpdateResult& result) {
   std::vector<VertexId> lost = lost_vertices(model, result.replacement, result.vertex_map,
@@ -99,25 +89,18 @@ void enter_losses(const ModelIndex& model, const UpdatedClouds& clouds, std::spa
 
 }  // namespace
 
-void enter_doubts(const ModelIndex& model, const UpdatedClouds& clouds,
-                  const UpdateOptions& options, UpdateResult& result) {
+void enter_doubts(const ModelIndex& model, std::span<const EdgeSide> irregular,
+                  const UpdatedClouds& clouds, const UpdateOptions& options, UpdateResult& result) {
   const std::vector<Scan> scans = scans_of(clouds.samples, result.clouds);
   warn_of_overlooked(model, options.overlooked, result);
-  enter_loose_parts(result);
+  warn_of_loose_parts(result);
   enter_contradictions(clouds, scans, options.contradicted, result);
   enter_unused_changes(model, clouds, scans, options.unused_changes, result);
-  const std::vector<EdgeSide> irregular = irregular_sides(model);
-  result.euler_before = euler_number(model, irregular);
   // To close the openings of a model changes its Euler number, too.
   const bool is_closed = irregular.empty();
-  if (is_closed) {
-    enter_handles(result);
-  } else {
-    enter_closed_openings(model, irregular, options.openings, result);
-  }
-  if (result.unexplained_handles > 0 || result.loose_parts.count > 0) {
-    result.crowded =
-        crowded_samples(model, result.replacement.removed, clouds.given, options.crowded);
+  if (!is_closed) enter_closed_openings(model, irregular, options.openings, result);
+  if (result.unexplained_handles > 0) {
+    result.warnings.push_back(warning_of_handles(result.unexplained_handles));
   }
   const bool lost_handles = is_closed && result.euler > result.euler_before;
   enter_losses(model, clouds, scans, lost_handles, options.unscanned, result);

@@ -30,7 +30,7 @@ struct UpdatedClouds {
 // is doubtful. `model`: the one that was updated. Precondition: the result has all but that, and
 // its clouds are the joined ones.
 // Complexity: that of the functions in `update/report/` that it asks.
-void enter_doubts(const ModelIndex& model, const UpdatedClouds& clouds,
-                  const UpdateOptions& options, UpdateResult& result);
+void enter_doubts(const ModelIndex& model, std::span<const EdgeSide> irregular,
+                  const UpdatedClouds& clouds, const UpdateOptions& options, UpdateResult& result);
 
 }  // namespace cocoon

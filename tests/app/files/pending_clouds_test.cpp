@@ -18,7 +18,8 @@ namespace {
 const std::vector<std::string> notes = {"model"};
 const PendingUpdate applied = {{"one"}, {{{1, 2, 3}, {4, 5, 6}}}, 0.25};
 const PendingUpdate refused = {{"two"}, {}, {}, true};
-const PendingUpdate together = {{"three", "and four"}, {{{7, 8, 9}}, {{1, 1, 1}, {2, 2, 2}}}, {}};
+const PendingUpdate together = {
+    {"three", "and four"}, {{{7, 8, 9}}, {{1, 1, 1}, {2, 2, 2}}}, {}, false, true};
 
 // Bytes of the file.
 constexpr std::size_t at_version = 8;
@@ -73,6 +74,7 @@ TEST(PendingClouds, ReadBackInOrder) {
     EXPECT_EQ(loaded[k].clouds, saved[k].clouds);
     EXPECT_EQ(loaded[k].rho, saved[k].rho);
     EXPECT_EQ(loaded[k].refused, saved[k].refused);
+    EXPECT_EQ(loaded[k].keep_crowded, saved[k].keep_crowded);
   }
   EXPECT_TRUE(std::filesystem::exists(pending_cloud_file((folder / "s").string(), 4)));
 }
@@ -112,7 +114,7 @@ TEST(PendingClouds, AMissingOneIsNamed) {
   EXPECT_FALSE(std::filesystem::exists(pending_cloud_file(session, 1)));
 }
 
-// These had no number of clouds.
+// The first two had no number of clouds.
 TEST(PendingClouds, VersionsBeforeAreReadAndOthersRefused) {
   const TemporaryFolder folder;
   const std::string session = save(folder, {applied});
@@ -125,7 +127,9 @@ TEST(PendingClouds, VersionsBeforeAreReadAndOthersRefused) {
     EXPECT_EQ(loaded.clouds, applied.clouds);
     EXPECT_EQ(loaded.notes, applied.notes);
   }
-  for (const char version : {'\x00', '\x04'}) {
+  folder.write("s.cloud-1", with_byte(bytes, at_version, '\x03'));
+  EXPECT_EQ(load_pending_clouds(session, notes).at(0).clouds, applied.clouds);
+  for (const char version : {'\x00', '\x05'}) {
     folder.write("s.cloud-1", with_byte(bytes, at_version, version));
     EXPECT_THROW(load_pending_clouds(session, notes), FileError) << static_cast<int>(version);
   }

@@ -65,6 +65,9 @@ TEST(ContradictedSamples, AreToldOfEachCloud) {
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0], (std::vector<Point>{clouds[0][1], clouds[2][0], clouds[2][1]}));
   EXPECT_TRUE(found[1].empty());
+  replacement.point_of_cloud_point[2][PointId(0)] = {};  // left out: then by the other cloud
+  EXPECT_EQ(samples_with_flag(replacement, joined, clouds, flags)[1],
+            (std::vector<Point>{clouds[1][2]}));
 }
 
 }  // namespace

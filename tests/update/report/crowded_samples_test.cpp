@@ -44,7 +44,17 @@ TEST(CrowdedSamples, AreThoseOfLayersOrOfAFinerScan) {
   EXPECT_EQ(layers.closer, 72U);
   EXPECT_TRUE(layers.are_many({}));
   EXPECT_FALSE(layers.are_many({.min_share = 0.7}));
+  EXPECT_EQ(layers.thickness, 0);  // three samples tell nothing
+  EXPECT_TRUE(ScannedMiddle(0.4, 3).found().are_in_layers({}));
+  EXPECT_FALSE(ScannedMiddle(0.4, 3).found().are_in_layers({.min_thickness = 0.3}));
+  EXPECT_EQ(layers.is_closer.size(), 3U);
+  for (const PointId p : layers.is_closer[0].ids()) {
+    EXPECT_EQ(layers.is_closer[0][p], 0);  // lexicographically before those above it
+    EXPECT_EQ(layers.is_closer[2][p], 1);
+  }
   EXPECT_EQ(ScannedMiddle(0.5, 1).found().closer, 72U);  // every other one of 144
+  EXPECT_TRUE(ScannedMiddle(0.5, 1).found().are_many({}));
+  EXPECT_FALSE(ScannedMiddle(0.5, 1).found().are_in_layers({}));
   EXPECT_EQ(ScannedMiddle(0.5, 1).found({.distance = 0.4}).closer, 0U);
 }
 

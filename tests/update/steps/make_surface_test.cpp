@@ -1,0 +1,100 @@
+// Views in layers: a surface without the samples that crowd, and by a session, too.
+#include "update/steps/make_surface.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "cocone/reconstruct.h"
+#include "tests/layered_views.h"
+#include "tests/update/session_checks.h"
+#include "update/report/vertex_origins.h"
+#include "update/update_session.h"
+
+namespace cocoon {
+namespace {
+
+class LayeredViews : public testing::Test {
+ protected:
+  // Has handles between the layers.
+  std::vector<Clouds> trials() {
+    std::vector<Clouds> found;
+    for (int trial = 0; trial < 4; ++trial) {
+      Clouds clouds = {test::layered_cap(0.35 * test::spacing_of_ball, random_)};
+      UpdateOptions all;
+      all.crowded.leave_out = false;
+      const UpdateResult result = update_model(model_, clouds, all);
+      if (result.unexplained_handles + result.loose_parts.count == 0) continue;
+      EXPECT_EQ(result.replacement.left_out, 0U);
+      EXPECT_TRUE(result.crowded.are_in_layers(all.crowded));
+      found.push_back(std::move(clouds));
+    }
+    EXPECT_GE(found.size(), 2U);
+    return found;
+  }
+
+  Random random_ = Random(3);
+  std::vector<Point> ball_ = test::noisy_ball(0, random_);
+  TriangleMesh model_ = reconstruct_tight(ball_).mesh;
+};
+
+TEST_F(LayeredViews, AreMendedWithoutTheSamplesThatCrowd) {
+  for (const Clouds& clouds : trials()) {
+    const UpdateResult result = update_model(model_, clouds);
+    ASSERT_EQ(result.status, UpdateStatus::ok);
+    EXPECT_EQ(result.unexplained_handles + result.loose_parts.count, 0U);
+    EXPECT_EQ(result.replacement.left_out, result.crowded.closer);
+    EXPECT_GT(result.replacement.left_out, clouds[0].size() / 4);
+    EXPECT_EQ(result.unused_changes.samples, 0U);
+    for (const VertexOrigin& origin : vertex_origins(result)) {
+      if (origin.input == 0) continue;
+      EXPECT_EQ(result.crowded.is_closer[0][PointId(origin.index)], 0);
+    }
+  }
+}
+
+// Where that does not mend it all samples come in, as if it had not been tried.
+TEST_F(LayeredViews, KeepAllWhereFewerHaveAsManyHandles) {
+  UpdateOptions hopeless;
+  hopeless.crowded.distance = 0.02;
+  hopeless.crowded.min_share = 0;
+  hopeless.crowded.min_thickness = 0;
+  UpdateOptions all = hopeless;
+  all.crowded.leave_out = false;
+  std::size_t tried = 0;
+  for (const Clouds& clouds : trials()) {
+    const UpdateResult result = update_model(model_, clouds, hopeless);
+    const UpdateResult expected = update_model(model_, clouds, all);
+    if (result.replacement.left_out > 0) continue;
+    tried += result.crowded.closer > 0 ? 1 : 0;
+    EXPECT_TRUE(result.mesh == expected.mesh);
+    expect_equal_reports(result, expected);
+  }
+  EXPECT_GE(tried, 1U);
+}
+
+TEST_F(LayeredViews, GiveASessionTheSameSurface) {
+  UpdateSession session(ball_);
+  const TriangleMesh before = session.model();
+  for (const Clouds& clouds : trials()) {
+    const SessionUpdate update = session.apply(clouds);
+    const UpdateResult expected = update_model(before, clouds);
+    EXPECT_TRUE(session.model() == expected.mesh);
+    EXPECT_EQ(update.result.replacement.left_out, expected.replacement.left_out);
+    expect_change(before, session.model(), update.change);
+    // The next update goes on from there, as from a mesh.
+    const Clouds next = random_scans(session.model(), random_);
+    const UpdateResult after = update_model(expected.mesh, next);
+    const bool is_applied = session.apply(next).result.status == UpdateStatus::ok;
+    EXPECT_EQ(is_applied, after.status == UpdateStatus::ok);
+    if (is_applied) {
+      EXPECT_TRUE(session.model() == after.mesh);
+      session.undo();
+    }
+    EXPECT_TRUE(session.model() == expected.mesh);
+    session.undo();
+    EXPECT_TRUE(session.model() == before);
+  }
+}
+
+}  // namespace
+}  // namespace cocoon

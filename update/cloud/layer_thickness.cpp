@@ -1,0 +1,61 @@
+#include "update/cloud/layer_thickness.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geom/arrays/median.h"
+#include "geom/messages/require_size.h"
+#include "geom/search/nearest_point.h"
+
+namespace cocoon {
+
+namespace {
+
+// So few are always flat, or nearly.
+constexpr std::size_t fewest = 5;
+
+// Offsets in units in which none is long. None if they lie on a line. Sorts them: sums depend on
+// the order.
+std::optional<double> thickness(std::vector<Vec3>& offsets) {
+  std::sort(offsets.begin(), offsets.end());
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Vec3& d : offsets) mean += Eigen::Vector3d(d.x, d.y, d.z);
+  mean /= static_cast<double>(offsets.size());
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (const Vec3& d : offsets) {
+    const Eigen::Vector3d v = Eigen::Vector3d(d.x, d.y, d.z) - mean;
+    moments += v * v.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments, Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d& principal = solver.eigenvalues();  // increasing
+  if (!(principal[1] > 0)) return {};
+  return std::sqrt(std::max(principal[0], 0.0) / principal[1]);
+}
+
+}  // namespace
+
+double layer_thickness(Points samples, std::span<const PointId> at, double reach,
+                       const Execution& execution) {
+  if (at.empty()) return 0;
+  const NearestPointTree tree(samples, execution);
+  std::vector<double> found;
+  std::vector<Vec3> offsets;
+  for (const PointId p : at) {
+    require_index("layer_thickness", "sample", p.index(), samples.size());
+    offsets.clear();
+    tree.any_near(samples[p.index()], reach, [&](PointId q) {
+      offsets.push_back((samples[q.index()] - samples[p.index()]) / reach);
+      return false;
+    });
+    if (offsets.size() < fewest) continue;
+    if (const std::optional<double> here = thickness(offsets)) found.push_back(*here);
+  }
+  return median(std::move(found));
+}
+
+}  // namespace cocoon

@@ -1,0 +1,25 @@
+// The surface of an update: of all samples, or without those that crowd.
+#pragma once
+
+#include <span>
+
+#include "geom/execution.h"
+#include "update/model/irregular_sides.h"
+#include "update/replaced_vertices.h"
+#include "update/steps/update_run.h"
+#include "update/update_model.h"
+
+namespace cocoon {
+
+// Has these vertices go and samples come, and reconstructs. Where the surface has handles that
+// nothing explains, or loose parts, and many samples crowd (CrowdedOptions), it is made again
+// without these, and then taken if it has fewer of both. Enters in the result what the points and
+// the surface are, its handles and loose parts, the Euler numbers of it and of the model, and what
+// crowds. `irregular`: irregular_sides() of the model. Returns false, with the status, if there is
+// no surface, or if it was refuted.
+// Errors and complexity: those of replace_points() and of parts.reconstruct, which is called up to
+// three times. Source: Woo & Dey 2005, section 3.5; docs/update.md, departure 25.
+bool make_surface(UpdateRun& run, const UpdateParts& parts, const ReplacedVertices& replaced,
+                  std::span<const EdgeSide> irregular, const Execution& execution);
+
+}  // namespace cocoon
