@@ -11,8 +11,8 @@
 #include "delaunay/voronoi_dual.h"
 #include "geom/errors.h"
 #include "geom/off_plane.h"
-#include "geom/search/neighbor_distance.h"
 #include "geom/search/thin_points.h"
+#include "update/cloud/layers.h"
 #include "update/stage_options.h"
 
 namespace cocoon {
@@ -138,14 +138,6 @@ Trial find_rim(const KeptSamples& samples, Sheet&& found, const RimSearch& searc
   return trial;
 }
 
-// If layers lie over each other, one layer; empty if there are too few different samples for one.
-std::vector<PointId> few_of_layers(const KeptSamples& samples, const CloudSurfaceOptions& options) {
-  constexpr std::size_t neighbor = 8;
-  const double distance = options.layers.spread * median_neighbor_distance(samples.cloud, neighbor);
-  if (distance == 0) return {};
-  return thin_points(samples.cloud, distance);
-}
-
 // With these samples alone; none if they cannot be triangulated: too few, or on one line.
 std::optional<KeptSamples> thinned(const KeptSamples& all, std::vector<PointId> kept,
                                    const CloudSurfaceOptions& options, const Execution& execution) {
@@ -231,8 +223,9 @@ class Search {
 
   bool is_layered() const {
     const Trial& best = found_.front();
-    return options_.layers.spread > 0 && (best.surface.status != CloudStatus::ok ||
-                                          best.report.seam_share > options_.layers.max_seam_share);
+    return options_.layers.spread > 0 &&
+           (options_.layers.always || best.surface.status != CloudStatus::ok ||
+            best.report.seam_share > options_.layers.max_seam_share);
   }
 
   void go_on(const KeptSamples& samples) {
@@ -316,8 +309,8 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
     look_at_few_of_dense(spacing, options, execution, samples, search);
   }
   if (search.is_layered()) {
-    std::optional<KeptSamples> few =
-        thinned(samples, few_of_layers(samples, options), options, execution);
+    std::optional<KeptSamples> few = thinned(
+        samples, few_of_layers(samples.cloud, options.layers.spread).kept, options, execution);
     if (few) {
       few->are_of_layers = true;
       search.go_on(*few);

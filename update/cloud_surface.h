@@ -35,6 +35,11 @@ struct LayerOptions {
   // Those that are farther apart than this share of the distance to the eighth neighbor, the
   // median. 0: never.
   double spread = 1.1;
+  // Whether it is looked for again whatever the share of seams.
+  bool always = false;
+  // If the update is refused and samples lie in layers (CrowdedOptions::min_thickness), the rim is
+  // looked for again among those that are this many times farther apart, until it is not refused.
+  std::vector<double> when_refused = {1, 1.5, 2};
 };
 
 struct CloudSurfaceOptions {

@@ -52,6 +52,9 @@ void require_options(const char* stage, const CloudSurfaceOptions& options) {
                           {"cloud.density.spread", options.density.spread},
                           {"cloud.density.max_stretch", options.density.max_stretch},
                           {"cloud.layers.spread", options.layers.spread}});
+  for (const double times : options.layers.when_refused) {
+    require_amounts(stage, {{"cloud.layers.when_refused", times}});
+  }
   require_shares(stage, {{"cloud.max_seam_share", options.max_seam_share},
                          {"cloud.layers.max_seam_share", options.layers.max_seam_share}});
   require_options(stage, options.trim);

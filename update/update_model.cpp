@@ -1,11 +1,13 @@
 #include "update/update_model.h"
 
+#include <algorithm>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "geom/errors.h"
+#include "update/cloud/layers.h"
 #include "update/cloud/ordinary_size.h"
 #include "update/joined_clouds.h"
 #include "update/model/hollows.h"
@@ -46,8 +48,40 @@ UpdateResult finish(UpdateRun& run, const UpdateParts& parts, const Execution& e
   return run.take_result();
 }
 
-UpdateResult take_steps(UpdateRun& run, const UpdateParts& parts, const Execution& execution) {
-  return choose(run, parts, execution) ? finish(run, parts, execution) : run.take_result();
+bool lies_in_layers(Points cloud, const UpdateOptions& options) {
+  const double spread = options.cloud.layers.spread;
+  if (spread == 0) return false;
+  const FewSamples few = few_of_layers(cloud, spread);
+  return layer_thickness(cloud, few.kept, few.distance) >= options.crowded.min_thickness;
+}
+
+// Looks for rims among few samples, farther apart.
+UpdateOptions options_of_few(UpdateOptions options, double times) {
+  options.cloud.layers.always = true;
+  options.cloud.layers.spread *= times;
+  return options;
+}
+
+// Each cloud by itself. If that is refused and samples lie in layers, by the rims of few of them.
+UpdateResult update_apart(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
+                          const UpdateParts& parts, const UpdateOptions& options,
+                          const Execution& execution) {
+  UpdateRun all(model, clouds, options);
+  if (choose(all, parts, execution)) return finish(all, parts, execution);
+  UpdateResult refused = all.take_result();
+  const bool in_layers = std::any_of(clouds.begin(), clouds.end(),
+                                     [&](Points cloud) { return lies_in_layers(cloud, options); });
+  if (!in_layers) return refused;
+  for (const double times : options.cloud.layers.when_refused) {
+    const UpdateOptions of_few = options_of_few(options, times);
+    UpdateRun few(model, clouds, of_few);
+    if (!choose(few, parts, execution)) continue;
+    UpdateResult result = finish(few, parts, execution);
+    result.warnings.insert(result.warnings.begin(), warning_of_few_samples(refused.message));
+    return result;
+  }
+  refused.message += "; " + hint_of_layers();
+  return refused;
 }
 
 // Without what takes a rim in doubt: of 466 pairs of views two became wrong by that, which were
@@ -81,15 +115,13 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
   require_ordinary_size(parts.ordinary_size ? Points() : model.points.span(), clouds);
   std::vector<JoinedCloud> joined = join_clouds(clouds, options.join);
   if (joined.empty()) {
-    UpdateRun run(model, clouds, options);
-    return take_steps(run, parts, execution);
+    return update_apart(model, clouds, parts, options, execution);
   }
   const UpdateOptions strict = options_of_joined(options);
   UpdateRun together(model, clouds, std::move(joined), strict);
   if (choose(together, parts, execution)) return finish(together, parts, execution);
   const std::string why = together.take_result().message;
-  UpdateRun apart(model, clouds, options);
-  UpdateResult result = take_steps(apart, parts, execution);
+  UpdateResult result = update_apart(model, clouds, parts, options, execution);
   result.warnings.insert(result.warnings.begin(), warning_of_clouds_apart(why));
   // Who does not get a result looks at no warnings.
   if (result.status != UpdateStatus::ok) result.message += "; " + result.warnings.front();

@@ -124,7 +124,7 @@ struct UpdateResult {
 // (reconstruct_tight), whatever the model was.
 // Progress: its four steps are "boundary_detection", "overlapping_facets",
 // "segmentation_and_selection" and "reconstruction"; stages report below them. The first three come
-// again where joined clouds have to be taken one by one.
+// again where joined clouds have to be taken one by one, and where a refused one lies in layers.
 // Errors: InputError for no cloud, a cloud that cannot be triangulated (not finite; too few points
 // or all on one line, unless it overlaps another cloud), a model without triangles, with bad
 // indices or a coordinate that is not finite, a model or cloud whose largest coordinate is not in

@@ -5,7 +5,7 @@
 #include "geom/arrays/median.h"
 #include "geom/messages/require_size.h"
 #include "geom/search/thin_points.h"
-#include "update/cloud/layer_thickness.h"
+#include "update/cloud/layers.h"
 #include "update/stage_options.h"
 
 namespace cocoon {

@@ -163,6 +163,15 @@ std::string warning_of_clouds_apart(const std::string& why) {
          "); each is taken by itself";
 }
 
+std::string warning_of_few_samples(const std::string& why) {
+  return "samples lie in layers, and their rim is refused (" + why +
+         "); that of few of them was taken; look at the result";
+}
+
+std::string hint_of_layers() {
+  return "its samples lie in layers: register the views, or leave out what crowds or is noise";
+}
+
 std::string warning_of_shared_regions(std::size_t regions) {
   return counted(regions, "region", "regions") + " of the model " +
          (regions == 1 ? "lies" : "lie") + " under more than one cloud";

@@ -12,10 +12,10 @@ namespace cocoon {
 namespace {
 
 // Few samples of layers look smoother by themselves. They stand for all only if these have no rim,
-// or if locate_rims() finds theirs far clearer.
-std::vector<CloudSurface> layers_behind(std::vector<CloudSurface> surfaces) {
-  std::stable_partition(surfaces.begin(), surfaces.end(), [](const CloudSurface& surface) {
-    return surface.status == CloudStatus::ok && !surface.is_layered;
+// if locate_rims() finds theirs far clearer, or if they are to.
+std::vector<CloudSurface> in_order(std::vector<CloudSurface> surfaces, bool few_first) {
+  std::stable_partition(surfaces.begin(), surfaces.end(), [&](const CloudSurface& surface) {
+    return surface.status == CloudStatus::ok && surface.is_layered == few_first;
   });
   return surfaces;
 }
@@ -36,7 +36,8 @@ std::vector<CloudSurface> surfaces_of_cloud(const UpdateRun& run, std::size_t c,
 bool detect_boundaries(UpdateRun& run, const Execution& execution) {
   for (std::size_t c = 0; c < run.clouds.size(); ++c) {
     try {
-      run.other_surfaces.push_back(layers_behind(surfaces_of_cloud(run, c, execution)));
+      run.other_surfaces.push_back(
+          in_order(surfaces_of_cloud(run, c, execution), run.options.cloud.layers.always));
     } catch (const DegenerateInput& error) {
       if (run.joined[c].sheet.empty()) throw;
       // Of a choice of the samples.

@@ -1,4 +1,4 @@
-#include "update/cloud/layer_thickness.h"
+#include "update/cloud/layers.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -11,6 +11,8 @@
 #include "geom/arrays/median.h"
 #include "geom/messages/require_size.h"
 #include "geom/search/nearest_point.h"
+#include "geom/search/neighbor_distance.h"
+#include "geom/search/thin_points.h"
 
 namespace cocoon {
 
@@ -38,6 +40,13 @@ std::optional<double> thickness(std::vector<Vec3>& offsets) {
 }
 
 }  // namespace
+
+FewSamples few_of_layers(Points samples, double spread) {
+  constexpr std::size_t neighbor = 8;
+  FewSamples few{spread * median_neighbor_distance(samples, neighbor), {}};
+  if (few.distance > 0) few.kept = thin_points(samples, few.distance);
+  return few;
+}
 
 double layer_thickness(Points samples, std::span<const PointId> at, double reach,
                        const Execution& execution) {

@@ -1,4 +1,4 @@
-#include "update/cloud/layer_thickness.h"
+#include "update/cloud/layers.h"
 
 #include <algorithm>
 #include <cmath>

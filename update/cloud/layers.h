@@ -1,13 +1,24 @@
-// Whether samples lie in one layer.
+// Samples that lie in layers over each other, or in one.
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "geom/execution.h"
 #include "geom/ids.h"
 #include "geom/point.h"
 
 namespace cocoon {
+
+// Samples of which at most one layer is left: those that keep `distance` (thin_points).
+struct FewSamples {
+  double distance = 0;
+  std::vector<PointId> kept;  // increasing; empty: there are too few different samples
+};
+
+// `spread`: the distance, as a share of that to the eighth neighbor, the median. Precondition:
+// finite points. A function of the set of points. Complexity: O(n log n). Source: ours.
+FewSamples few_of_layers(Points samples, double spread);
 
 // How thick the samples are that lie within `reach` of one of them, as a share of how wide: by the
 // root of the ratio of the smallest to the middle principal moment; the median over the samples
