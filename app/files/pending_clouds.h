@@ -5,17 +5,17 @@
 //   SESSION.cloud-K  the session had K notes (session_file.h) before this update
 //   bytes            content (all numbers little-endian)
 //   8                "COCOONCL"
-//   4, 4             version (4); bits: 1 = rho was given, 2 = refused, 4 = crowded samples are
-//   kept 8                rho, 64-bit floating point 8                what stands for the K notes:
-//   the checksum of their text 8                number of clouds n, applied together; versions 1
-//   and 2 have none: it is 1 16 n             of each: bytes of the note on it, number of points k
-//   (0 if refused)
+//   4, 4             version (4); bits: 1 = rho was given, 2 = refused, 4 = all samples came in
+//   8                rho, 64-bit floating point
+//   8                what stands for the K notes: the checksum of their text
+//   8                number of clouds n, applied together; versions 1 and 2 have none: it is 1
+//   16 n             of each: bytes of the note on it, number of points k (0 if refused)
 //                    then of each:
 //   24 k             coordinates
 //                    the note; zero bytes up to a multiple of 8
 //   8                checksum (io/summed_file.h)
 //
-// Version 1 knows no refused clouds, and those before 4 none whose crowded samples are kept.
+// Version 1 knows no refused clouds, and only 4 the last of these bits.
 //
 // Applied to the session in order they give the model that they gave before, bit for bit
 // (update_session.h). Files with smaller K than the session has notes are in it already.
@@ -38,7 +38,7 @@ struct PendingUpdate {
   std::vector<std::vector<Point>> clouds;  // applied together
   std::optional<double> rho;               // that they were applied with
   bool refused = false;                    // they were not applied, and there are no points
-  bool keep_crowded = false;               // all samples of the others came in
+  bool keep_crowded = false;               // all samples came in, even where they crowd
 };
 
 // Its name: SESSION.cloud-K, where SESSION is the file behind all symbolic links: who takes it up

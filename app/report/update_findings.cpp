@@ -23,6 +23,23 @@ NoiseFilter noise_filter_of_update(bool filtered) {
   return filtered ? NoiseFilter::no_option : NoiseFilter::of_strays;
 }
 
+namespace {
+
+std::string note_of_crowded(const CrowdedSamples& found, bool are_left_out,
+                            const CrowdedOptions& options) {
+  return fmt::format("{} of {} samples lie closer to others than {:.2g}, as in {}: {}",
+                     found.closer, found.of, found.distance,
+                     found.are_in_layers(options) ? "layers of views that are out of register"
+                                                  : "a scan finer than the model",
+                     are_left_out ? "they are left out, since the surface has fewer handles or "
+                                    "parts without them (--keep-crowded keeps them)"
+                                  : fmt::format("if handles or parts of the surface are wrong, try "
+                                                "--thin {:.2g}",
+                                                found.distance));
+}
+
+}  // namespace
+
 std::vector<std::string> notes_of_clouds(const UpdateResult& result,
                                          const std::vector<std::string>& names,
                                          const UpdateOptions& options) {
@@ -39,17 +56,9 @@ std::vector<std::string> notes_of_clouds(const UpdateResult& result,
                     "something is wrong, try --thin {:.2g}",
                     names[c], range.low, range.high, what, range.high));
   }
-  const std::size_t left_out = result.replacement.left_out;
-  if (const CrowdedSamples& found = result.crowded; found.are_many(options.crowded)) {
-    notes.push_back(fmt::format(
-        "{} of {} samples lie closer to others than {:.2g}, as in layers of views that are out of "
-        "register: {}",
-        found.closer, found.of, found.distance,
-        left_out > 0
-            ? std::string("they are left out, since the surface has fewer handles or parts without "
-                          "them (--keep-crowded keeps them)")
-            : fmt::format("if handles or parts of the surface are wrong, try --thin {:.2g}",
-                          found.distance)));
+  if (result.crowded.are_many(options.crowded)) {
+    notes.push_back(
+        note_of_crowded(result.crowded, result.replacement.left_out > 0, options.crowded));
   }
   return notes;
 }

@@ -7,13 +7,22 @@
 #include "app/arguments/update_options.h"
 #include "app/files/pending_clouds.h"
 #include "geom/errors.h"
+#include "geom/random/random.h"
 #include "io/point_file.h"
+#include "tests/layered_views.h"
 #include "tests/stop_after.h"
 #include "tests/temporary_folder.h"
 #include "tests/test_clouds.h"
 
 namespace cocoon::app {
 namespace {
+
+void keep(const std::string& path, std::vector<std::string>& notes, const PendingUpdate& update) {
+  FileBatch batch;
+  save_pending_clouds(path, notes, update, batch);
+  batch.commit();
+  notes.insert(notes.end(), update.notes.begin(), update.notes.end());
+}
 
 // A sphere with two bumps to come, which wait beside the file of its session.
 class ResumedSessionTest : public testing::Test {
@@ -27,10 +36,10 @@ class ResumedSessionTest : public testing::Test {
     for (const double side : {1.0, -1.0}) {
       std::vector<Point> cloud = cap;
       for (Point& p : cloud) p = side * p;
-      keep(notes, {{side > 0 ? "up" : "down"}, {cloud}, {}});
+      keep(path_, notes, {{side > 0 ? "up" : "down"}, {cloud}, {}});
       EXPECT_EQ(session.apply({{cloud}}).result.status, UpdateStatus::ok);
     }
-    keep(notes, {{"no cloud"}, {}, {}, true});
+    keep(path_, notes, {{"no cloud"}, {}, {}, true});
     model_ = session.model();
   }
 
@@ -44,12 +53,6 @@ class ResumedSessionTest : public testing::Test {
   std::vector<Point> points_of(const std::string& text) const {
     return read_points(folder_.write("cloud.xyz", text)).points;
   }
-  void keep(std::vector<std::string>& notes, const PendingUpdate& update) const {
-    FileBatch batch;
-    save_pending_clouds(path_, notes, update, batch);
-    batch.commit();
-    notes.insert(notes.end(), update.notes.begin(), update.notes.end());
-  }
 
   TemporaryFolder folder_;
   std::string path_ = folder_.file("session");
@@ -62,6 +65,32 @@ TEST_F(ResumedSessionTest, HasAppliedItsPendingClouds) {
   EXPECT_EQ(resumed.pending, 3U);
   EXPECT_EQ(resumed.session->model().points, model_.points);
   EXPECT_EQ(resumed.session->model().triangles, model_.triangles);
+}
+
+// Not with those of updates to come.
+TEST(ResumedSession, AppliesPendingCloudsWithTheirOwnOptions) {
+  Random random(1);
+  const std::vector<Point> ball = test::noisy_ball(0, random);
+  test::layered_cap(0.35 * test::spacing_of_ball, random);
+  const std::vector<Point> cap = test::layered_cap(0.35 * test::spacing_of_ball, random);
+  std::vector<TriangleMesh> models;
+  for (const bool keep_crowded : {false, true}) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("session");
+    SurfaceArguments arguments;
+    arguments.keep_crowded = keep_crowded;
+    UpdateSession session(ball, update_options(arguments));
+    save_session(path, {session.snapshot(), {}, {"ball"}});
+    ASSERT_EQ(session.apply({{cap}}).result.status, UpdateStatus::ok);
+    std::vector<std::string> notes = {"ball"};
+    keep(path, notes, {{"layers"}, {cap}, {}, false, keep_crowded});
+    ResumedSession resumed;
+    resume_session(path, load_session(path), {}, {1}, resumed);
+    EXPECT_TRUE(resumed.session->model() == session.model());
+    EXPECT_TRUE(resumed.session->options().crowded.leave_out);
+    models.push_back(session.model());
+  }
+  EXPECT_FALSE(models[0] == models[1]);
 }
 
 // Soon after that is asked for, not when all clouds are applied.

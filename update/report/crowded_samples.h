@@ -18,8 +18,7 @@ struct CrowdedOptions {
   double distance = 0.62;
   // Of all samples, fewer mean nothing.
   double min_share = 0.25;
-  // They lie in layers if they are as thick (layers.h), around those that keep the
-  // distance.
+  // They lie in layers if they are as thick (layers.h), around those that keep the distance.
   double min_thickness = 0.13;
   // If they are many and lie in layers, whether a surface without them is tried, too.
   bool leave_out = true;

@@ -16,8 +16,8 @@ namespace cocoon {
 
 // Of each joined cloud the samples whose updated point has a flag: `flags` are those of
 // Replacement::points, and `clouds` those given, which `joined` are made of. Of equal samples only
-// the first; those that were left out have none. Complexity: O(updated points + samples). Errors: InputError for flags or clouds of
-// another update, by their sizes. Source: ours.
+// the first; those that were left out have none. Complexity: O(updated points + samples). Errors:
+// InputError for flags or clouds of another update, by their sizes. Source: ours.
 std::vector<std::vector<Point>> samples_with_flag(const Replacement& replacement,
                                                   std::span<const JoinedCloud> joined,
                                                   std::span<const std::vector<Point>> clouds,
