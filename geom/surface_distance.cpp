@@ -42,13 +42,15 @@ std::vector<Point> corners_of_triangles(const TriangleMesh& mesh) {
   return corners;
 }
 
-// One uniform point in each of `count` equal pieces of the area.
-std::vector<Point> stratified_samples(const TriangleMesh& mesh, std::size_t count,
-                                      std::uint64_t seed, const Execution& execution) {
+// One uniform point in each of `count` equal pieces of the area. `which` of both meshes it is.
+std::vector<Point> stratified_samples(const TriangleMesh& mesh, const char* which,
+                                      std::size_t count, std::uint64_t seed,
+                                      const Execution& execution) {
   const TrianglesByArea triangles(mesh);
   if (count > 0 && !(triangles.area() > 0)) {
-    throw InputError(
-        "triangles have no area to take samples of; leave them out to compare the points alone");
+    throw InputError(std::string("the triangles of the ") + which +
+                     " have no area to take samples of; leave them out to compare its points "
+                     "alone");
   }
   std::vector<Point> samples(count);
   parallel_chunks(execution, count, 4096, [&](std::size_t begin, std::size_t end) {
@@ -112,7 +114,7 @@ struct MeasuredPoints {
 };
 
 // Samples are taken at the mesh's own size: beside a much larger one its areas would vanish.
-MeasuredPoints measured_points(const TriangleMesh& mesh, double scale,
+MeasuredPoints measured_points(const TriangleMesh& mesh, const char* which, double scale,
                                const SurfaceDistanceOptions& options, const Execution& execution) {
   MeasuredPoints measured;
   if (mesh.triangles.empty()) {
@@ -120,7 +122,7 @@ MeasuredPoints measured_points(const TriangleMesh& mesh, double scale,
   } else {
     measured.corners = corners_of_triangles(mesh);
     const double own_scale = working_scale(measured.corners);
-    measured.samples = stratified_samples(own_scale == 1 ? mesh : scaled(mesh, own_scale),
+    measured.samples = stratified_samples(own_scale == 1 ? mesh : scaled(mesh, own_scale), which,
                                           options.samples, options.seed, execution);
     if (own_scale != 1) measured.samples = scaled(measured.samples, 1 / own_scale);
   }
@@ -131,12 +133,12 @@ MeasuredPoints measured_points(const TriangleMesh& mesh, double scale,
   return measured;
 }
 
-DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to, double scale,
-                         const SurfaceDistanceOptions& options, const StagePart& part,
+DirectedDistance measure(const TriangleMesh& from, const TriangleMesh& to, const char* which_from,
+                         double scale, const SurfaceDistanceOptions& options, const StagePart& part,
                          const Execution& execution) {
   const SquaredDistanceTo squared_distance_to =
       search_in(scale == 1 ? to : scaled(to, scale), execution);
-  const auto [samples, corners] = measured_points(from, scale, options, execution);
+  const auto [samples, corners] = measured_points(from, which_from, scale, options, execution);
   constexpr double none = -1;  // nothing is within it
   const double tolerance = options.tolerance ? *options.tolerance * scale : none;
   const double middle = (part.begin + part.end) / 2;
@@ -171,8 +173,8 @@ SurfaceDistance measure_both(const TriangleMesh& a, const TriangleMesh& b, doubl
                              const SurfaceDistanceOptions& options, const Execution& execution) {
   SurfaceDistance distance;
   constexpr const char* stage = "surface_distance";
-  distance.a_to_b = measure(a, b, scale, options, {stage, 0, 0.5}, execution);
-  distance.b_to_a = measure(b, a, scale, options, {stage, 0.5, 1}, execution);
+  distance.a_to_b = measure(a, b, "first", scale, options, {stage, 0, 0.5}, execution);
+  distance.b_to_a = measure(b, a, "second", scale, options, {stage, 0.5, 1}, execution);
   distance.max = std::max(distance.a_to_b.max, distance.b_to_a.max);
   distance.mean = (distance.a_to_b.mean + distance.b_to_a.mean) / 2;
   distance.rms = std::sqrt(
