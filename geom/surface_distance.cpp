@@ -49,7 +49,7 @@ std::vector<Point> stratified_samples(const TriangleMesh& mesh, const char* whic
   const TrianglesByArea triangles(mesh);
   if (count > 0 && !(triangles.area() > 0)) {
     throw InputError(std::string("the triangles of the ") + which +
-                     " have no area to take samples of; leave them out to compare its points "
+                     " have no area to take samples of; leave them out to compare the points "
                      "alone");
   }
   std::vector<Point> samples(count);

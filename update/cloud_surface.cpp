@@ -224,7 +224,7 @@ class Search {
   bool is_layered() const {
     const Trial& best = found_.front();
     return options_.layers.spread > 0 &&
-           (options_.layers.always || best.surface.status != CloudStatus::ok ||
+           (options_.layers.first || best.surface.status != CloudStatus::ok ||
             best.report.seam_share > options_.layers.max_seam_share);
   }
 

@@ -35,10 +35,11 @@ struct LayerOptions {
   // Those that are farther apart than this share of the distance to the eighth neighbor, the
   // median. 0: never.
   double spread = 1.1;
-  // Whether it is looked for again whatever the share of seams.
-  bool always = false;
-  // If the update is refused and samples lie in layers (CrowdedOptions::min_thickness), the rim is
-  // looked for again among those that are this many times farther apart, until it is not refused.
+  // Whether it is looked for among few of them in any case; in an update their rims are taken then.
+  bool first = false;
+  // If an update is refused for its rims, the clouds that lie in layers (CrowdedOptions::
+  // min_thickness) are looked at so, with `spread` this many times as large, until it is not
+  // refused. From 0.1 to 10.
   std::vector<double> when_refused = {1, 1.5, 2};
 };
 

@@ -122,10 +122,8 @@ Replacement replace_by_all(const ModelIndex& index, ReplacedVertices vertices,
   return result;
 }
 
-using Flags = IdVector<PointId, std::uint8_t>;
-
 std::vector<std::vector<Point>> without(std::span<const std::vector<Point>> clouds,
-                                        std::span<const Flags> left_out) {
+                                        std::span<const SampleFlags> left_out) {
   std::vector<std::vector<Point>> rest(clouds.size());
   for (std::size_t c = 0; c < clouds.size(); ++c) {
     require_size("replace_points", "flags", left_out[c].size(), clouds[c].size());
@@ -138,7 +136,7 @@ std::vector<std::vector<Point>> without(std::span<const std::vector<Point>> clou
 
 // From positions of those that came in to positions of all samples of the cloud.
 IdVector<PointId, PointId> with_left_out(const IdVector<PointId, PointId>& positions,
-                                         const Flags& left_out) {
+                                         const SampleFlags& left_out) {
   IdVector<PointId, PointId> of_all(left_out.size());
   std::size_t next = 0;
   for (const PointId p : left_out.ids()) {
@@ -151,7 +149,7 @@ IdVector<PointId, PointId> with_left_out(const IdVector<PointId, PointId>& posit
 
 Replacement replace_points(const ModelIndex& index, ReplacedVertices vertices,
                            std::span<const std::vector<Point>> added,
-                           std::span<const IdVector<PointId, std::uint8_t>> left_out) {
+                           std::span<const SampleFlags> left_out) {
   if (left_out.empty()) return replace_by_all(index, std::move(vertices), added);
   require_size("replace_points", "clouds with flags", left_out.size(), added.size());
   Replacement result = replace_by_all(index, std::move(vertices), without(added, left_out));

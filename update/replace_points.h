@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "geom/ids.h"
 #include "geom/point.h"
 #include "update/choose_regions.h"
+#include "update/cloud/scan.h"
 #include "update/cloud_rim.h"
 #include "update/model/model_index.h"
 #include "update/replaced_vertices.h"
@@ -38,7 +38,7 @@ struct Replacement : ReplacedVertices {
 // section 3.4.
 Replacement replace_points(const ModelIndex& model, ReplacedVertices vertices,
                            std::span<const std::vector<Point>> added,
-                           std::span<const IdVector<PointId, std::uint8_t>> left_out = {});
+                           std::span<const SampleFlags> left_out = {});
 
 // The same with those of replaced_vertices(). `added`: what comes in, the samples of `clouds` in
 // the order wanted.

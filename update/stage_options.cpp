@@ -53,7 +53,7 @@ void require_options(const char* stage, const CloudSurfaceOptions& options) {
                           {"cloud.density.max_stretch", options.density.max_stretch},
                           {"cloud.layers.spread", options.layers.spread}});
   for (const double times : options.layers.when_refused) {
-    require_amounts(stage, {{"cloud.layers.when_refused", times}});
+    require_number(stage, "cloud.layers.when_refused", times, 0.1, 10);
   }
   require_shares(stage, {{"cloud.max_seam_share", options.max_seam_share},
                          {"cloud.layers.max_seam_share", options.layers.max_seam_share}});

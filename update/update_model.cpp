@@ -48,39 +48,55 @@ UpdateResult finish(UpdateRun& run, const UpdateParts& parts, const Execution& e
   return run.take_result();
 }
 
-bool lies_in_layers(Points cloud, const UpdateOptions& options) {
+// What the rims of few samples may mend. Whether clouds lie on the model at all, and where, all of
+// them tell better.
+bool is_refused_for_rims(UpdateStatus status) {
+  return status == UpdateStatus::no_cloud_surface || status == UpdateStatus::cloud_closed ||
+         status == UpdateStatus::non_separating;
+}
+
+std::vector<std::size_t> clouds_in_layers(std::span<const std::vector<Point>> clouds,
+                                          const UpdateOptions& options,
+                                          const Execution& execution) {
+  std::vector<std::size_t> found;
   const double spread = options.cloud.layers.spread;
-  if (spread == 0) return false;
-  const FewSamples few = few_of_layers(cloud, spread);
-  return layer_thickness(cloud, few.kept, few.distance) >= options.crowded.min_thickness;
+  for (std::size_t c = 0; c < clouds.size() && spread > 0; ++c) {
+    const FewSamples few = few_of_layers(clouds[c], spread);
+    const double thickness = layer_thickness(clouds[c], few.kept, few.distance, execution);
+    if (thickness >= options.crowded.min_thickness) found.push_back(c);
+  }
+  return found;
 }
 
-// Looks for rims among few samples, farther apart.
-UpdateOptions options_of_few(UpdateOptions options, double times) {
-  options.cloud.layers.always = true;
-  options.cloud.layers.spread *= times;
-  return options;
+// Who does not get a result looks at no warnings.
+UpdateResult with_first_warning(UpdateResult result, std::string warning) {
+  result.warnings.insert(result.warnings.begin(), std::move(warning));
+  if (result.status != UpdateStatus::ok) result.message += "; " + result.warnings.front();
+  return result;
 }
 
-// Each cloud by itself. If that is refused and samples lie in layers, by the rims of few of them.
+// Each cloud by itself. If their rims are refused and some lie in layers, of these few samples.
 UpdateResult update_apart(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateParts& parts, const UpdateOptions& options,
                           const Execution& execution) {
   UpdateRun all(model, clouds, options);
   if (choose(all, parts, execution)) return finish(all, parts, execution);
   UpdateResult refused = all.take_result();
-  const bool in_layers = std::any_of(clouds.begin(), clouds.end(),
-                                     [&](Points cloud) { return lies_in_layers(cloud, options); });
-  if (!in_layers) return refused;
+  if (!is_refused_for_rims(refused.status)) return refused;
+  const std::vector<std::size_t> in_layers = clouds_in_layers(clouds, options, execution);
+  if (in_layers.empty()) return refused;
+  const std::string names = name_of_clouds(in_layers, clouds.size());
   for (const double times : options.cloud.layers.when_refused) {
-    const UpdateOptions of_few = options_of_few(options, times);
-    UpdateRun few(model, clouds, of_few);
+    UpdateRun few(model, clouds, options);
+    for (const std::size_t c : in_layers) {
+      few.layers[c].first = true;
+      few.layers[c].spread *= times;
+    }
     if (!choose(few, parts, execution)) continue;
-    UpdateResult result = finish(few, parts, execution);
-    result.warnings.insert(result.warnings.begin(), warning_of_few_samples(refused.message));
-    return result;
+    return with_first_warning(finish(few, parts, execution),
+                              warning_of_few_samples(names, refused.message));
   }
-  refused.message += "; " + hint_of_layers();
+  refused.message += "; " + hint_of_layers(names);
   return refused;
 }
 
@@ -121,11 +137,8 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
   UpdateRun together(model, clouds, std::move(joined), strict);
   if (choose(together, parts, execution)) return finish(together, parts, execution);
   const std::string why = together.take_result().message;
-  UpdateResult result = update_apart(model, clouds, parts, options, execution);
-  result.warnings.insert(result.warnings.begin(), warning_of_clouds_apart(why));
-  // Who does not get a result looks at no warnings.
-  if (result.status != UpdateStatus::ok) result.message += "; " + result.warnings.front();
-  return result;
+  return with_first_warning(update_apart(model, clouds, parts, options, execution),
+                            warning_of_clouds_apart(why));
 }
 
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,

@@ -20,6 +20,7 @@ constexpr std::string_view magic = "COCOONCL";
 constexpr std::uint32_t version = 4;
 constexpr std::uint32_t oldest_version = 1;
 constexpr std::uint32_t first_version_with_count = 3;
+constexpr std::uint32_t first_version_with_crowded = 4;
 constexpr std::size_t least_header = 48;  // of versions 1 and 2
 
 enum Bits : std::uint32_t { has_rho = 1, is_refused = 2, keeps_crowded = 4 };
@@ -134,7 +135,7 @@ PendingUpdate load_update(const fs::path& path, std::span<const std::string> not
   PendingUpdate update;
   if ((bits & has_rho) != 0) update.rho = rho;
   update.refused = (bits & is_refused) != 0;
-  update.keep_crowded = (bits & keeps_crowded) != 0;
+  update.keep_crowded = found < first_version_with_crowded || (bits & keeps_crowded) != 0;
   const std::optional<std::vector<CloudSizes>> sizes =
       next_sizes(file, found >= first_version_with_count);
   if (!sizes) {

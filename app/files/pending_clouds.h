@@ -15,7 +15,7 @@
 //                    the note; zero bytes up to a multiple of 8
 //   8                checksum (io/summed_file.h)
 //
-// Version 1 knows no refused clouds, and only 4 the last of these bits.
+// Version 1 knows no refused clouds. Before version 4 all samples came in.
 //
 // Applied to the session in order they give the model that they gave before, bit for bit
 // (update_session.h). Files with smaller K than the session has notes are in it already.

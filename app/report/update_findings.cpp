@@ -25,17 +25,21 @@ NoiseFilter noise_filter_of_update(bool filtered) {
 
 namespace {
 
-std::string note_of_crowded(const CrowdedSamples& found, bool are_left_out,
-                            const CrowdedOptions& options) {
-  return fmt::format("{} of {} samples lie closer to others than {:.2g}, as in {}: {}",
-                     found.closer, found.of, found.distance,
-                     found.are_in_layers(options) ? "layers of views that are out of register"
-                                                  : "a scan finer than the model",
-                     are_left_out ? "they are left out, since the surface has fewer handles or "
-                                    "parts without them (--keep-crowded keeps them)"
-                                  : fmt::format("if handles or parts of the surface are wrong, try "
-                                                "--thin {:.2g}",
-                                                found.distance));
+std::string note_of_crowded(const CrowdedSamples& found, std::size_t left_out) {
+  const std::string told =
+      fmt::format("{} of {} samples lie closer to others than {:.2g}, as in {}: ", found.closer,
+                  found.of, found.distance,
+                  found.in_layers > 0 ? "layers of views that are out of register"
+                                      : "a scan finer than the model");
+  if (left_out == 0) {
+    return told + fmt::format("if handles or parts of the surface are wrong, try --thin {:.2g}",
+                              found.distance);
+  }
+  const std::string who =
+      left_out == found.closer ? "they" : fmt::format("{} of them, in layers,", left_out);
+  return told + who +
+         " are left out, since the surface has fewer handles or parts without them "
+         "(--keep-crowded keeps them)";
 }
 
 }  // namespace
@@ -56,9 +60,8 @@ std::vector<std::string> notes_of_clouds(const UpdateResult& result,
                     "something is wrong, try --thin {:.2g}",
                     names[c], range.low, range.high, what, range.high));
   }
-  if (result.crowded.are_many(options.crowded)) {
-    notes.push_back(
-        note_of_crowded(result.crowded, result.replacement.left_out > 0, options.crowded));
+  if (result.crowded.closer > 0) {
+    notes.push_back(note_of_crowded(result.crowded, result.replacement.left_out));
   }
   return notes;
 }

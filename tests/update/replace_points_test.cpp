@@ -58,9 +58,8 @@ TEST(ReplacePoints, SamplesWithAFlagAreLeftOut) {
   const ModelIndex index(scene.model);
   const ReplacedVertices replaced = replaced_vertices(index, scene.regions, scene.choice,
                                                       scene.rims, {scene.clouds.data(), 1}, {});
-  using Flags = IdVector<PointId, std::uint8_t>;
-  std::vector<Flags> left_out = {Flags(std::vector<std::uint8_t>{0, 1, 0}),
-                                 Flags(std::vector<std::uint8_t>{0, 0})};
+  std::vector<SampleFlags> left_out = {SampleFlags(std::vector<std::uint8_t>{0, 1, 0}),
+                                       SampleFlags(std::vector<std::uint8_t>{0, 0})};
   const Replacement result = replace_points(index, replaced, scene.clouds, left_out);
   EXPECT_EQ(result.left_out, 1U);
   EXPECT_EQ(result.duplicates, 0U);  // the first of the two at one place is not there
@@ -74,7 +73,7 @@ TEST(ReplacePoints, SamplesWithAFlagAreLeftOut) {
     }
   }
   EXPECT_EQ(replace_points(index, replaced, scene.clouds).left_out, 0U);
-  left_out[1] = Flags(3, 0);
+  left_out[1] = SampleFlags(3, 0);
   EXPECT_THROW(replace_points(index, replaced, scene.clouds, left_out), InputError);
   left_out.pop_back();
   EXPECT_THROW(replace_points(index, replaced, scene.clouds, left_out), InputError);

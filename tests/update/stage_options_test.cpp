@@ -124,7 +124,7 @@ TEST(StageOptions, StagesCalledAloneRefuseThemToo) {
                  [&] { outward_normals(model, {}, {}, {}, {.min_agreement = nan}); });
   expect_refused("overlooked_vertices",
                  [&] { overlooked_vertices(model, {}, {}, {}, {.reach = nan}); });
-  expect_refused("crowded_samples", [&] { crowded_samples(model, {}, {}, {.distance = nan}); });
+  expect_refused("crowded_samples", [&] { crowded_samples(model, {}, {}, {}, {.distance = nan}); });
   expect_refused("unused_changes", [&] { unused_changes(model, {}, {}, {.off_model = nan}); });
   expect_refused("closed_openings", [&] { closed_openings(model, {}, mesh, {}, {.reach = nan}); });
   expect_refused("unscanned_losses",

@@ -6,36 +6,81 @@
 #include <vector>
 
 #include "cocone/reconstruct.h"
+#include "tests/gallery.h"
 #include "tests/layered_views.h"
 
 namespace cocoon {
 namespace {
 
-TEST(UpdateModel, RimsOfLayersThatAreRefusedAreLookedForAmongFewSamples) {
-  Random random(5);
-  const std::vector<Point> ball = test::noisy_ball(0, random);
-  const TriangleMesh model = reconstruct_tight(ball).mesh;
-  UpdateOptions once;
-  once.cloud.layers.when_refused = {};
-  std::size_t refused = 0;
-  for (int trial = 0; trial < 8; ++trial) {
-    const std::vector<std::vector<Point>> clouds = {
-        test::layered_cap(0.35 * test::spacing_of_ball, random)};
-    const UpdateResult all = update_model(model, clouds, once);
-    const UpdateResult result = update_model(model, clouds);
-    if (all.status == UpdateStatus::ok) {
-      EXPECT_TRUE(result.mesh == all.mesh);
-      continue;
+using Clouds = std::vector<std::vector<Point>>;
+
+class RimsOfLayers : public testing::Test {
+ protected:
+  RimsOfLayers() { once_.cloud.layers.when_refused = {}; }
+
+  // Are refused as they are.
+  std::vector<std::vector<Point>> refused_caps() {
+    std::vector<std::vector<Point>> refused;
+    for (int trial = 0; trial < 8; ++trial) {
+      std::vector<Point> cap = test::layered_cap(0.35 * test::spacing_of_ball, random_);
+      const UpdateResult all = update_model(model_, {{cap}}, once_);
+      if (all.status == UpdateStatus::ok) {
+        EXPECT_TRUE(update_model(model_, {{cap}}).mesh == all.mesh);
+        continue;
+      }
+      EXPECT_NE(all.message.find("cloud 1 of 1: samples lie in layers"), std::string::npos)
+          << all.message;
+      refused.push_back(std::move(cap));
     }
-    ++refused;
-    EXPECT_NE(all.message.find("lie in layers"), std::string::npos) << all.message;
+    EXPECT_GE(refused.size(), 2U);
+    return refused;
+  }
+
+  UpdateOptions once_;
+  Random random_ = Random(5);
+  TriangleMesh model_ = reconstruct_tight(test::noisy_ball(0, random_)).mesh;
+};
+
+TEST_F(RimsOfLayers, ThatAreRefusedAreLookedForAmongFewSamples) {
+  for (const std::vector<Point>& cap : refused_caps()) {
+    const UpdateResult result = update_model(model_, {{cap}});
     ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
-    EXPECT_EQ(result.clouds[0].surface.is_layered, true);
-    EXPECT_EQ(result.warnings.front().find("samples lie in layers, and their rim is refused"), 0U);
+    EXPECT_TRUE(result.clouds[0].surface.is_layered);
+    EXPECT_EQ(result.warnings.front().find("cloud 1 of 1: samples lie in layers, and the rim"), 0U)
+        << result.warnings.front();
     EXPECT_GT(result.replacement.replaced, 300U);
     EXPECT_LT(result.replacement.replaced, 420U);
   }
-  EXPECT_GE(refused, 2U);
+}
+
+// Few samples are farther apart, so that what is far from the model would count as near.
+TEST_F(RimsOfLayers, InOtherUnitsOrOffTheModelStayRefused) {
+  for (const std::vector<Point>& cap : refused_caps()) {
+    std::vector<Point> larger = cap;
+    for (Point& p : larger) p = 2 * p;
+    EXPECT_EQ(update_model(model_, {{larger}}).status, UpdateStatus::no_overlap);
+    std::vector<Point> lifted = cap;
+    for (Point& p : lifted) p.z += 8 * test::spacing_of_ball;
+    EXPECT_EQ(update_model(model_, {{lifted}}).status, UpdateStatus::no_overlap);
+  }
+}
+
+// Another cloud of the same update is looked at as it would be alone.
+TEST_F(RimsOfLayers, LeaveOtherCloudsAsTheyAre) {
+  std::vector<Point> below;
+  for (const Point& p : gallery::even_sphere(test::samples_of_ball)) {
+    if (p.z < -0.75) below.push_back({p.y, p.x, p.z});
+  }
+  const UpdateResult alone = update_model(model_, {{below}});
+  ASSERT_EQ(alone.status, UpdateStatus::ok) << alone.message;
+  for (const std::vector<Point>& cap : refused_caps()) {
+    const UpdateResult both = update_model(model_, Clouds{below, cap});
+    ASSERT_EQ(both.status, UpdateStatus::ok) << both.message;
+    EXPECT_FALSE(both.clouds[0].surface.is_layered);
+    EXPECT_TRUE(both.clouds[0].surface.mesh == alone.clouds[0].surface.mesh);
+    EXPECT_TRUE(both.clouds[1].surface.is_layered);
+    EXPECT_EQ(both.warnings.front().find("cloud 2 of 2: samples lie in layers"), 0U);
+  }
 }
 
 }  // namespace

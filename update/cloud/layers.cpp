@@ -50,19 +50,28 @@ FewSamples few_of_layers(Points samples, double spread) {
 
 double layer_thickness(Points samples, std::span<const PointId> at, double reach,
                        const Execution& execution) {
-  if (at.empty()) return 0;
-  const NearestPointTree tree(samples, execution);
-  std::vector<double> found;
-  std::vector<Vec3> offsets;
   for (const PointId p : at) {
     require_index("layer_thickness", "sample", p.index(), samples.size());
-    offsets.clear();
-    tree.any_near(samples[p.index()], reach, [&](PointId q) {
-      offsets.push_back((samples[q.index()] - samples[p.index()]) / reach);
-      return false;
-    });
-    if (offsets.size() < fewest) continue;
-    if (const std::optional<double> here = thickness(offsets)) found.push_back(*here);
+  }
+  if (at.empty()) return 0;
+  const NearestPointTree tree(samples, execution);
+  std::vector<std::optional<double>> around(at.size());
+  parallel_chunks(execution, {"layer_thickness"}, at.size(), 1024,
+                  [&](std::size_t begin, std::size_t end) {
+                    std::vector<Vec3> offsets;
+                    for (std::size_t k = begin; k < end; ++k) {
+                      const Point& center = samples[at[k].index()];
+                      offsets.clear();
+                      tree.any_near(center, reach, [&](PointId q) {
+                        offsets.push_back((samples[q.index()] - center) / reach);
+                        return false;
+                      });
+                      if (offsets.size() >= fewest) around[k] = thickness(offsets);
+                    }
+                  });
+  std::vector<double> found;
+  for (const std::optional<double>& here : around) {
+    if (here) found.push_back(*here);
   }
   return median(std::move(found));
 }

@@ -26,8 +26,9 @@ FewSamples few_of_layers(Points samples, double spread);
 // of register have a third of their shift over `reach`. Samples with fewer than four others around
 // them, or on a line with these, are not counted; 0 if none are left. A function of the set of
 // samples and of `at`, whatever their order. Squares of distances must be in the range of double.
-// Complexity: O(n log n) for n samples with few around each. Errors: InputError for samples that
-// are not finite, and for ids that are not of the samples. Source: principal component analysis.
+// Progress: "layer_thickness". Complexity: O(n log n) for n samples with few around each. Errors:
+// InputError for samples that are not finite, and for ids that are not of the samples. Source:
+// principal component analysis.
 double layer_thickness(Points samples, std::span<const PointId> at, double reach,
                        const Execution& execution = {});
 

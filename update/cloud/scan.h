@@ -1,9 +1,16 @@
 // The samples of a cloud, how far apart they lie, and how far off their place.
 #pragma once
 
+#include <cstdint>
+
+#include "geom/id_vector.h"
+#include "geom/ids.h"
 #include "geom/point.h"
 
 namespace cocoon {
+
+// One for each sample of a cloud.
+using SampleFlags = IdVector<PointId, std::uint8_t>;
 
 struct Scan {
   Points samples;      // a view: who owns them must outlive it

@@ -1,5 +1,6 @@
 #include "update/report/crowded_samples.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "geom/arrays/median.h"
@@ -28,32 +29,48 @@ double median_edge_at(const ModelIndex& model, std::span<const VertexId> vertice
   return lengths.empty() ? 0 : median(std::move(lengths));
 }
 
+bool are_many(std::size_t closer, std::size_t of, const CrowdedOptions& options) {
+  return closer > 0 && static_cast<double>(closer) >= options.min_share * static_cast<double>(of);
+}
+
+// Sets the flags of its members' samples but for those apart, which are increasing.
+void flag_all_but(std::span<const PointId> apart, const JoinedCloud& cloud,
+                  std::vector<SampleFlags>& flags) {
+  auto next = apart.begin();
+  std::size_t position = 0;
+  for (const std::size_t member : cloud.members) {
+    for (std::uint8_t& flag : flags[member]) {
+      const bool is_apart = next != apart.end() && next->index() == position;
+      if (is_apart) ++next;
+      flag = is_apart ? 0 : 1;
+      ++position;
+    }
+  }
+}
+
 }  // namespace
 
 CrowdedSamples crowded_samples(const ModelIndex& model, std::span<const VertexId> removed,
+                               std::span<const JoinedCloud> joined,
                                std::span<const std::vector<Point>> clouds,
-                               const CrowdedOptions& options) {
+                               const CrowdedOptions& options, const Execution& execution) {
   require_options("crowded_samples", options);
   CrowdedSamples found;
   found.distance = options.distance * median_edge_at(model, removed);
-  std::vector<Point> samples;
-  for (const std::vector<Point>& cloud : clouds) {
-    samples.insert(samples.end(), cloud.begin(), cloud.end());
-  }
-  found.of = samples.size();
-  const std::uint8_t is_any = found.distance > 0 ? 1 : 0;
-  for (const std::vector<Point>& cloud : clouds) {
-    found.is_closer.emplace_back(cloud.size(), is_any);
-  }
+  for (const std::vector<Point>& cloud : clouds) found.is_in_layers.emplace_back(cloud.size());
   if (found.distance == 0) return found;
-  const std::vector<PointId> apart = thin_points(samples, found.distance);
-  found.closer = found.of - apart.size();
-  found.thickness = layer_thickness(samples, apart, found.distance);
-  std::size_t c = 0;
-  std::size_t first = 0;  // of cloud c
-  for (const PointId p : apart) {
-    while (p.index() - first >= clouds[c].size()) first += clouds[c++].size();
-    found.is_closer[c][PointId(p.index() - first)] = 0;
+  for (const JoinedCloud& cloud : joined) {
+    const std::vector<Point> samples = samples_of(cloud, clouds);
+    const std::vector<PointId> apart = thin_points(samples, found.distance);
+    const std::size_t closer = samples.size() - apart.size();
+    if (!are_many(closer, samples.size(), options)) continue;
+    const double thickness = layer_thickness(samples, apart, found.distance, execution);
+    found.closer += closer;
+    found.of += samples.size();
+    found.thickness = std::max(found.thickness, thickness);
+    if (thickness < options.min_thickness) continue;
+    found.in_layers += closer;
+    flag_all_but(apart, cloud, found.is_in_layers);
   }
   return found;
 }

@@ -163,13 +163,15 @@ std::string warning_of_clouds_apart(const std::string& why) {
          "); each is taken by itself";
 }
 
-std::string warning_of_few_samples(const std::string& why) {
-  return "samples lie in layers, and their rim is refused (" + why +
+std::string warning_of_few_samples(const std::string& clouds, const std::string& why) {
+  return clouds + ": samples lie in layers, and the rim of all is refused (" + why +
          "); that of few of them was taken; look at the result";
 }
 
-std::string hint_of_layers() {
-  return "its samples lie in layers: register the views, or leave out what crowds or is noise";
+std::string hint_of_layers(const std::string& clouds) {
+  return clouds +
+         ": samples lie in layers or are noisy; register the views, or leave out what "
+         "crowds";
 }
 
 std::string warning_of_shared_regions(std::size_t regions) {

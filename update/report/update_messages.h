@@ -66,10 +66,10 @@ std::vector<std::string> warnings_of_cut(const RegionCut& cut);
 std::vector<std::string> notes_of_cut(const RegionCut& cut, const CutOptions& options = {});
 // Clouds that overlap each other, but not as one surface; `why`: the reason.
 std::string warning_of_clouds_apart(const std::string& why);
-// `why` the rims of all samples were refused.
-std::string warning_of_few_samples(const std::string& why);
+// `clouds`: the names of those in layers; `why` the rims of all samples were refused.
+std::string warning_of_few_samples(const std::string& clouds, const std::string& why);
 // Where the rims of few are refused, too.
-std::string hint_of_layers();
+std::string hint_of_layers(const std::string& clouds);
 // Regions under more than one cloud.
 std::string warning_of_shared_regions(std::size_t regions);
 // Mean angles of regions, in degrees, that hardly differ.

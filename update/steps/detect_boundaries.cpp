@@ -12,18 +12,21 @@ namespace cocoon {
 namespace {
 
 // Few samples of layers look smoother by themselves. They stand for all only if these have no rim,
-// if locate_rims() finds theirs far clearer, or if they are to.
-std::vector<CloudSurface> in_order(std::vector<CloudSurface> surfaces, bool few_first) {
+// if locate_rims() finds theirs far clearer, or if they are to come first.
+std::vector<CloudSurface> in_order(std::vector<CloudSurface> surfaces, const LayerOptions& layers) {
   std::stable_partition(surfaces.begin(), surfaces.end(), [&](const CloudSurface& surface) {
-    return surface.status == CloudStatus::ok && surface.is_layered == few_first;
+    return surface.status == CloudStatus::ok && surface.is_layered == layers.first;
   });
   return surfaces;
 }
 
 std::vector<CloudSurface> surfaces_of_cloud(const UpdateRun& run, std::size_t c,
                                             const Execution& execution) {
+  CloudSurfaceOptions options = run.options.cloud;
+  options.layers = run.layers[c];
   try {
-    return joined_cloud_surfaces(run.clouds[c], run.joined[c], run.options.cloud, execution);
+    return in_order(joined_cloud_surfaces(run.clouds[c], run.joined[c], options, execution),
+                    options.layers);
   } catch (const DegenerateInput& error) {
     throw DegenerateInput(run.name_of_cloud(c) + ": " + error.what());
   } catch (const InputError& error) {
@@ -36,8 +39,7 @@ std::vector<CloudSurface> surfaces_of_cloud(const UpdateRun& run, std::size_t c,
 bool detect_boundaries(UpdateRun& run, const Execution& execution) {
   for (std::size_t c = 0; c < run.clouds.size(); ++c) {
     try {
-      run.other_surfaces.push_back(
-          in_order(surfaces_of_cloud(run, c, execution), run.options.cloud.layers.always));
+      run.other_surfaces.push_back(surfaces_of_cloud(run, c, execution));
     } catch (const DegenerateInput& error) {
       if (run.joined[c].sheet.empty()) throw;
       // Of a choice of the samples.

@@ -1,11 +1,12 @@
 #include "update/steps/make_surface.h"
 
+#include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <cstdlib>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "geom/id_vector.h"
 #include "geom/working_scale.h"
 #include "update/disproved_facets.h"
 #include "update/model/euler_number.h"
@@ -67,12 +68,25 @@ struct Attempts {
   std::span<const EdgeSide> irregular;
 };
 
-using Flags = IdVector<PointId, std::uint8_t>;
+// Enters what the surface is like; returns how many handles and parts nothing explains, or how many
+// handles are missing: a surface without either might be found by losing true ones.
+std::size_t enter_faults(const Attempts& attempts, UpdateResult& result) {
+  // None without a mesh: it is connected (UpdatedSurface).
+  result.loose_parts = loose_parts(result.mesh, first_vertex_of_clouds(result.vertex_map));
+  const std::size_t parts = result.loose_parts.count;
+  // To close the openings of a model changes its Euler number, too.
+  if (!attempts.irregular.empty()) return parts;
+  const std::ptrdiff_t handles =
+      unexplained_handles(result.clouds, result.choice.undecided_loops, result.euler_before,
+                          result.euler - 2 * static_cast<std::ptrdiff_t>(parts));
+  result.unexplained_handles = static_cast<std::size_t>(std::max<std::ptrdiff_t>(handles, 0));
+  return static_cast<std::size_t>(std::abs(handles)) + parts;
+}
 
-// Enters the points, without the samples with a flag, their surface and what it is like. Returns
-// whether there is one.
-bool attempt(const Attempts& attempts, std::span<const Flags> left_out,
-             const Execution& execution) {
+// Enters the points, without the samples with a flag, and their surface; returns its faults, none
+// without a surface.
+std::optional<std::size_t> attempt(const Attempts& attempts, std::span<const SampleFlags> left_out,
+                                   const Execution& execution) {
   UpdateRun& run = attempts.run;
   UpdateResult& result = run.result;
   result.replacement = replace_points(*run.index, attempts.replaced, run.given, left_out);
@@ -81,34 +95,24 @@ bool attempt(const Attempts& attempts, std::span<const Flags> left_out,
   UpdatedSurface surface = attempts.parts.reconstruct(result.replacement, kept.told(), execution);
   result.reconstruction = std::move(surface.result);
   result.mesh = std::exchange(result.reconstruction.mesh, {});
-  if (result.reconstruction.status != SurfaceStatus::ok) return false;
+  if (result.reconstruction.status != SurfaceStatus::ok) return {};
   result.vertex_map = updated_vertices(result.replacement, result.reconstruction);
   const std::size_t points = result.replacement.points.size();
   result.euler = euler_number(points - result.reconstruction.unused_points, surface.triangles);
-  // To close the openings of a model changes its Euler number, too.
-  if (attempts.irregular.empty()) {
-    result.unexplained_handles = unexplained_handles(result.clouds, result.choice.undecided_loops,
-                                                     result.euler_before, result.euler);
-  }
-  // None without a mesh: it is connected (UpdatedSurface).
-  result.loose_parts = loose_parts(result.mesh, first_vertex_of_clouds(result.vertex_map));
-  return true;
+  return enter_faults(attempts, result);
 }
 
-std::size_t faults(const UpdateResult& result) {
-  return result.unexplained_handles + result.loose_parts.count;
-}
-
-// Whether they were left out in the end.
-void try_without_crowded(const Attempts& attempts, const Execution& execution) {
-  UpdateResult& result = attempts.run.result;
-  const CrowdedOptions& options = attempts.run.options.crowded;
-  const std::size_t before = faults(result);
-  result.crowded =
-      crowded_samples(*attempts.run.index, result.replacement.removed, attempts.run.given, options);
-  if (!options.leave_out || !result.crowded.are_in_layers(options)) return;
+// `faults`: of the surface of all samples.
+void try_without_crowded(const Attempts& attempts, std::size_t faults, const Execution& execution) {
+  UpdateRun& run = attempts.run;
+  CrowdedSamples& crowded = run.result.crowded;
+  const CrowdedOptions& options = run.options.crowded;
+  crowded = crowded_samples(*run.index, run.result.replacement.removed, run.joined, run.given,
+                            options, execution);
+  if (!options.leave_out || crowded.in_layers == 0) return;
   const bool is_better = run_step(execution, "without_crowded", [&](const Execution& nested) {
-    return attempt(attempts, result.crowded.is_closer, nested) && faults(result) < before;
+    const std::optional<std::size_t> left = attempt(attempts, crowded.is_in_layers, nested);
+    return left && *left < faults;
   });
   if (!is_better) attempt(attempts, {}, execution);
 }
@@ -119,12 +123,15 @@ bool make_surface(UpdateRun& run, const UpdateParts& parts, const ReplacedVertic
                   std::span<const EdgeSide> irregular, const Execution& execution) {
   run.result.euler_before = euler_number(*run.index, irregular);
   const Attempts attempts{run, parts, replaced, irregular};
-  if (!attempt(attempts, {}, execution)) {
+  const std::optional<std::size_t> faults = attempt(attempts, {}, execution);
+  if (!faults) {
     const ReconstructResult& surface = run.result.reconstruction;
     if (surface.status != SurfaceStatus::refuted) return fail_empty(run);
     return run.fail(UpdateStatus::refuted, surface.verification.failure);
   }
-  if (faults(run.result) > 0) try_without_crowded(attempts, execution);
+  if (run.result.unexplained_handles > 0 || run.result.loose_parts.count > 0) {
+    try_without_crowded(attempts, *faults, execution);
+  }
   return true;
 }
 

@@ -4,15 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "geom/working_scale.h"
-#include "update/disproved_facets.h"
-#include "update/model/euler_number.h"
-#include "update/regions/kept_surface.h"
 #include "update/regions/scanned_again.h"
 #include "update/regions/unchanged_rest.h"
 #include "update/report/overlooked_vertices.h"
-#include "update/report/update_messages.h"
-#include "update/report/updated_vertices.h"
 #include "update/steps/make_surface.h"
 #include "update/steps/result_doubts.h"
 

@@ -5,14 +5,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "update/model/euler_number.h"
-#include "update/model/irregular_sides.h"
 #include "update/report/closed_openings.h"
 #include "update/report/contradicted_samples.h"
-#include "update/report/crowded_samples.h"
 #include "update/report/loose_parts.h"
 #include "update/report/samples_with_flag.h"
-#include "update/report/unexplained_handles.h"
 #include "update/report/unscanned_losses.h"
 #include "update/report/unused_changes.h"
 #include "update/report/update_messages.h"
@@ -96,7 +92,6 @@ void enter_doubts(const ModelIndex& model, std::span<const EdgeSide> irregular,
   warn_of_loose_parts(result);
   enter_contradictions(clouds, scans, options.contradicted, result);
   enter_unused_changes(model, clouds, scans, options.unused_changes, result);
-  // To close the openings of a model changes its Euler number, too.
   const bool is_closed = irregular.empty();
   if (!is_closed) enter_closed_openings(model, irregular, options.openings, result);
   if (result.unexplained_handles > 0) {

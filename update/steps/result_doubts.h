@@ -9,6 +9,7 @@
 #include "geom/search/nearest_point.h"
 #include "update/cloud_rim.h"
 #include "update/joined_clouds.h"
+#include "update/model/irregular_sides.h"
 #include "update/model/model_index.h"
 #include "update/update_model.h"
 
@@ -23,13 +24,13 @@ struct UpdatedClouds {
   std::span<const NearestPointTree> trees;      // of the samples
 };
 
-// Warns of vertices of the model amid new samples; looks for parts that hang together with nothing
-// of the model, samples that contradict each other, changes that are not on the surface, openings
-// that are closed, handles that nothing explains, and vertices that went though nothing was scanned
-// near them. Enters what is found, the Euler number of the model, too, and a warning for each that
-// is doubtful. `model`: the one that was updated. Precondition: the result has all but that, and
-// its clouds are the joined ones.
-// Complexity: that of the functions in `update/report/` that it asks.
+// Warns of vertices of the model amid new samples, of parts that hang together with nothing of the
+// model, and of handles that nothing explains; looks for samples that contradict each other,
+// changes that are not on the surface, openings that are closed, and vertices that went though
+// nothing was scanned near them. Enters what is found, and a warning for each that is doubtful.
+// `model`: the one that was updated; `irregular`: irregular_sides() of it. Precondition: the result
+// has all that make_surface() enters, and its clouds are the joined ones. Complexity: that of the
+// functions in `update/report/` that it asks.
 void enter_doubts(const ModelIndex& model, std::span<const EdgeSide> irregular,
                   const UpdatedClouds& clouds, const UpdateOptions& options, UpdateResult& result);
 

@@ -9,6 +9,7 @@ UpdateRun::UpdateRun(const TriangleMesh& mesh, std::span<const std::vector<Point
     : model(mesh), given(of_user), clouds(of_user), options(update_options) {
   for (std::size_t c = 0; c < clouds.size(); ++c) joined.push_back({.members = {c}, .sheet = {}});
   result.clouds.resize(clouds.size());
+  layers.assign(clouds.size(), options.cloud.layers);
 }
 
 UpdateRun::UpdateRun(const TriangleMesh& mesh, std::span<const std::vector<Point>> of_user,
@@ -17,6 +18,7 @@ UpdateRun::UpdateRun(const TriangleMesh& mesh, std::span<const std::vector<Point
   for (const JoinedCloud& cloud : joined) joined_samples.push_back(samples_of(cloud, given));
   clouds = joined_samples;
   result.clouds.resize(clouds.size());
+  layers.assign(clouds.size(), options.cloud.layers);
 }
 
 UpdateResult UpdateRun::take_result() {

@@ -72,7 +72,8 @@ struct UpdateRun {
   std::vector<std::vector<Point>> joined_samples;  // of them, if clouds are joined
   std::span<const std::vector<Point>> clouds;      // what the steps work on: given or joined
   const UpdateOptions& options;
-  const ModelIndex* index = nullptr;                      // of the model, from find_overlap on
+  std::vector<LayerOptions> layers;   // of each cloud: those of `options`, but for who sets them
+  const ModelIndex* index = nullptr;  // of the model, from find_overlap on
   std::vector<std::vector<CloudSurface>> other_surfaces;  // of each cloud, those not taken
   LocatedRims rims;
   std::vector<Border> borders;

@@ -126,9 +126,11 @@ TEST(PendingClouds, VersionsBeforeAreReadAndOthersRefused) {
     const PendingUpdate loaded = load_pending_clouds(session, notes).at(0);
     EXPECT_EQ(loaded.clouds, applied.clouds);
     EXPECT_EQ(loaded.notes, applied.notes);
+    EXPECT_TRUE(loaded.keep_crowded);
   }
   folder.write("s.cloud-1", with_byte(bytes, at_version, '\x03'));
   EXPECT_EQ(load_pending_clouds(session, notes).at(0).clouds, applied.clouds);
+  EXPECT_TRUE(load_pending_clouds(session, notes).at(0).keep_crowded);
   for (const char version : {'\x00', '\x05'}) {
     folder.write("s.cloud-1", with_byte(bytes, at_version, version));
     EXPECT_THROW(load_pending_clouds(session, notes), FileError) << static_cast<int>(version);

@@ -1,6 +1,6 @@
 #include "update/report/crowded_samples.h"
 
-#include <cmath>
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -28,34 +28,60 @@ struct ScannedMiddle {
       }
     }
   }
+  // All of them joined.
   CrowdedSamples found(const CrowdedOptions& options = {}) const {
-    return crowded_samples(ModelIndex(model), removed, clouds, options);
+    std::vector<JoinedCloud> joined(1);
+    for (std::size_t c = 0; c < clouds.size(); ++c) joined[0].members.push_back(c);
+    return crowded_samples(ModelIndex(model), removed, joined, clouds, options);
   }
 };
 
 TEST(CrowdedSamples, AreThoseOfLayersOrOfAFinerScan) {
   const CrowdedSamples single = ScannedMiddle(1, 1).found();
   EXPECT_EQ(single.distance, 0.62);  // two of three edges at a vertex have length 1
-  EXPECT_EQ(single.of, 36U);
   EXPECT_EQ(single.closer, 0U);
-  EXPECT_FALSE(single.are_many({}));
   const CrowdedSamples layers = ScannedMiddle(1, 3).found();
   EXPECT_EQ(layers.of, 108U);
   EXPECT_EQ(layers.closer, 72U);
-  EXPECT_TRUE(layers.are_many({}));
-  EXPECT_FALSE(layers.are_many({.min_share = 0.7}));
   EXPECT_EQ(layers.thickness, 0);  // three samples tell nothing
-  EXPECT_TRUE(ScannedMiddle(0.4, 3).found().are_in_layers({}));
-  EXPECT_FALSE(ScannedMiddle(0.4, 3).found().are_in_layers({.min_thickness = 0.3}));
-  EXPECT_EQ(layers.is_closer.size(), 3U);
-  for (const PointId p : layers.is_closer[0].ids()) {
-    EXPECT_EQ(layers.is_closer[0][p], 0);  // lexicographically before those above it
-    EXPECT_EQ(layers.is_closer[2][p], 1);
-  }
+  EXPECT_EQ(ScannedMiddle(1, 3).found({.min_share = 0.7}).closer, 0U);
   EXPECT_EQ(ScannedMiddle(0.5, 1).found().closer, 72U);  // every other one of 144
-  EXPECT_TRUE(ScannedMiddle(0.5, 1).found().are_many({}));
-  EXPECT_FALSE(ScannedMiddle(0.5, 1).found().are_in_layers({}));
+  EXPECT_EQ(ScannedMiddle(0.5, 1).found().in_layers, 0U);
   EXPECT_EQ(ScannedMiddle(0.5, 1).found({.distance = 0.4}).closer, 0U);
+}
+
+TEST(CrowdedSamples, InLayersAreFlagged) {
+  const CrowdedSamples found = ScannedMiddle(0.4, 3).found();
+  EXPECT_GT(found.thickness, 0.2);
+  EXPECT_EQ(found.in_layers, found.closer);
+  ASSERT_EQ(found.is_in_layers.size(), 3U);
+  std::size_t flagged = 0;
+  for (const SampleFlags& flags : found.is_in_layers) {
+    flagged += static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
+  }
+  EXPECT_EQ(flagged, found.in_layers);
+  EXPECT_EQ(found.is_in_layers[0][PointId(0)], 0);  // lexicographically before those above it
+  EXPECT_EQ(found.is_in_layers[2][PointId(0)], 1);
+  EXPECT_EQ(ScannedMiddle(0.4, 3).found({.min_thickness = 0.3}).in_layers, 0U);
+}
+
+// A finer scan elsewhere is no layer because of layers here.
+TEST(CrowdedSamples, OfEachCloudAreJudgedByThemselves) {
+  ScannedMiddle scene(0.4, 3);
+  const std::size_t in_layers = scene.found().in_layers;
+  scene.clouds.push_back({});
+  for (double x = 20; x < 26; x += 0.3) {
+    for (double y = 2; y < 8; y += 0.3) scene.clouds.back().push_back({x, y, 0});
+  }
+  const std::vector<JoinedCloud> joined = {{.members = {0, 1, 2}, .sheet = {}},
+                                           {.members = {3}, .sheet = {}}};
+  const CrowdedSamples found =
+      crowded_samples(ModelIndex(scene.model), scene.removed, joined, scene.clouds);
+  EXPECT_GT(found.closer, in_layers);
+  EXPECT_EQ(found.in_layers, in_layers);
+  const SampleFlags& fine = found.is_in_layers[3];
+  EXPECT_EQ(fine.size(), scene.clouds[3].size());
+  EXPECT_EQ(std::count(fine.begin(), fine.end(), 1), 0);
 }
 
 TEST(CrowdedSamples, WithoutVerticesThatWentThereAreNone) {
