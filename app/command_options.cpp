@@ -59,11 +59,12 @@ void add_surface_options(CLI::App& app, SurfaceArguments& parameters, const std:
                      in_parentheses(told_in_degrees(std::acos(defaults.prune.sharp_cosine))))
       ->check(between(0, 180))
       ->type_name("DEGREES");
-  add_choice<Mode>(app, "--mode", parameters.mode,
-                   "paper: the published reconstruction alone, and in updates the published way to "
-                   "locate a rim on the model, no long edges trimmed, no samples set aside; robust "
-                   "(default): with our repairs, each counted in the report",
-                   {{name_of(Mode::paper), Mode::paper}, {name_of(Mode::robust), Mode::robust}});
+  add_choice<Mode>(
+      app, "--mode", parameters.mode,
+      "paper: the published reconstruction alone, and in updates the published way to "
+      "locate a rim on the model, no long edges trimmed, no samples set aside or left out; robust "
+      "(default): with our repairs, each counted in the report",
+      {{name_of(Mode::paper), Mode::paper}, {name_of(Mode::robust), Mode::robust}});
   add_verify(app, parameters.verify);
 }
 

@@ -15,8 +15,8 @@ std::size_t loops_on_model(const CloudReport& cloud) {
 
 }  // namespace
 
-std::ptrdiff_t unexplained_handles(std::span<const CloudReport> clouds, std::size_t empty_loops,
-                                   std::ptrdiff_t before, std::ptrdiff_t after) {
+std::size_t unexplained_handles(std::span<const CloudReport> clouds, std::size_t empty_loops,
+                                std::ptrdiff_t before, std::ptrdiff_t after) {
   std::size_t parts = empty_loops;
   std::size_t loops = 0;
   std::size_t patches = 0;  // in their place
@@ -30,7 +30,7 @@ std::ptrdiff_t unexplained_handles(std::span<const CloudReport> clouds, std::siz
   const std::ptrdiff_t handles = (before - after) / 2;
   parts = std::min(parts, loops);
   const auto explained = static_cast<std::ptrdiff_t>(parts - std::min(parts, patches));
-  return handles - explained;
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(handles - explained, 0));
 }
 
 }  // namespace cocoon

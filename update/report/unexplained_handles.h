@@ -17,9 +17,8 @@ namespace cocoon {
 // (`empty_loops`, of all clouds: RegionChoice::undecided_loops), but of no cloud, nor of all, more
 // than there are loops: a border that touches itself encloses slivers of the model. `before` and
 // `after`: Euler numbers of the models, `after` without loose parts, each of them taken for a
-// sphere. Negative: so many less than explained, as where a bore is plugged.
-// Complexity: O(loops). Source: ours.
-std::ptrdiff_t unexplained_handles(std::span<const CloudReport> clouds, std::size_t empty_loops,
-                                   std::ptrdiff_t before, std::ptrdiff_t after);
+// sphere. Complexity: O(loops). Source: ours.
+std::size_t unexplained_handles(std::span<const CloudReport> clouds, std::size_t empty_loops,
+                                std::ptrdiff_t before, std::ptrdiff_t after);
 
 }  // namespace cocoon

@@ -1,8 +1,6 @@
 #include "update/steps/make_surface.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -68,19 +66,18 @@ struct Attempts {
   std::span<const EdgeSide> irregular;
 };
 
-// Enters what the surface is like; returns how many handles and parts nothing explains, or how many
-// handles are missing: a surface without either might be found by losing true ones.
+// Enters what the surface is like; returns how many handles and parts nothing explains.
 std::size_t enter_faults(const Attempts& attempts, UpdateResult& result) {
   // None without a mesh: it is connected (UpdatedSurface).
   result.loose_parts = loose_parts(result.mesh, first_vertex_of_clouds(result.vertex_map));
   const std::size_t parts = result.loose_parts.count;
   // To close the openings of a model changes its Euler number, too.
-  if (!attempts.irregular.empty()) return parts;
-  const std::ptrdiff_t handles =
-      unexplained_handles(result.clouds, result.choice.undecided_loops, result.euler_before,
-                          result.euler - 2 * static_cast<std::ptrdiff_t>(parts));
-  result.unexplained_handles = static_cast<std::size_t>(std::max<std::ptrdiff_t>(handles, 0));
-  return static_cast<std::size_t>(std::abs(handles)) + parts;
+  if (attempts.irregular.empty()) {
+    result.unexplained_handles =
+        unexplained_handles(result.clouds, result.choice.undecided_loops, result.euler_before,
+                            result.euler - 2 * static_cast<std::ptrdiff_t>(parts));
+  }
+  return result.unexplained_handles + parts;
 }
 
 // Enters the points, without the samples with a flag, and their surface; returns its faults, none
@@ -129,9 +126,7 @@ bool make_surface(UpdateRun& run, const UpdateParts& parts, const ReplacedVertic
     if (surface.status != SurfaceStatus::refuted) return fail_empty(run);
     return run.fail(UpdateStatus::refuted, surface.verification.failure);
   }
-  if (run.result.unexplained_handles > 0 || run.result.loose_parts.count > 0) {
-    try_without_crowded(attempts, *faults, execution);
-  }
+  if (*faults > 0) try_without_crowded(attempts, *faults, execution);
   return true;
 }
 
