@@ -234,7 +234,8 @@ void require_options(const char* stage, const UnscannedOptions& options) {
 
 void require_options(const char* stage, const CrowdedOptions& options) {
   require_amounts(stage, {{"crowded.distance", options.distance},
-                          {"crowded.min_thickness", options.min_thickness}});
+                          {"crowded.min_thickness", options.min_thickness},
+                          {"crowded.max_width", options.max_width}});
   require_shares(stage, {{"crowded.min_share", options.min_share}});
 }
 

@@ -140,6 +140,9 @@ UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector
 struct UpdatedSurface {
   ReconstructResult result;
   std::size_t triangles = 0;
+  // If the mesh is left out: those with a vertex of a cloud, and others, perhaps. Their owner keeps
+  // them until it is asked for the next surface.
+  std::span<const Triangle> changed = {};
 };
 
 // The two parts of an update that cost in proportion to the model and not to the change. Whoever

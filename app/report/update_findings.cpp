@@ -25,21 +25,14 @@ NoiseFilter noise_filter_of_update(bool filtered) {
 
 namespace {
 
-std::string note_of_crowded(const CrowdedSamples& found, std::size_t left_out) {
-  const std::string told =
-      fmt::format("{} of {} samples lie closer to others than {:.2g}, as in {}: ", found.closer,
-                  found.of, found.distance,
-                  found.in_layers > 0 ? "layers of views that are out of register"
-                                      : "a scan finer than the model");
-  if (left_out == 0) {
-    return told + fmt::format("if handles or parts of the surface are wrong, try --thin {:.2g}",
-                              found.distance);
-  }
-  const std::string who =
-      left_out == found.closer ? "they" : fmt::format("{} of them, in layers,", left_out);
-  return told + who +
-         " are left out, since the surface has fewer handles or parts without them "
-         "(--keep-crowded keeps them)";
+std::string note_of_crowded(const CrowdedSamples& found) {
+  return fmt::format(
+      "{} of {} samples lie closer to others than {:.2g}, as in {}: if handles or parts of the "
+      "surface are wrong, try --thin {:.2g}",
+      found.closer, found.of, found.distance,
+      found.in_layers > 0 ? "layers of views that are out of register"
+                          : "a scan finer than the model",
+      found.distance);
 }
 
 }  // namespace
@@ -60,8 +53,9 @@ std::vector<std::string> notes_of_clouds(const UpdateResult& result,
                     "something is wrong, try --thin {:.2g}",
                     names[c], range.low, range.high, what, range.high));
   }
-  if (result.crowded.closer > 0) {
-    notes.push_back(note_of_crowded(result.crowded, result.replacement.left_out));
+  // What was left out is told as a warning.
+  if (result.crowded.closer > 0 && result.replacement.left_out == 0) {
+    notes.push_back(note_of_crowded(result.crowded));
   }
   return notes;
 }

@@ -24,6 +24,9 @@ struct CrowdedOptions {
   double min_thickness = 0.13;
   // Whether a surface without those that crowd in layers is tried, too.
   bool leave_out = true;
+  // What layers make, in times their thickness: handles with a way around or through them that is
+  // no longer, and parts with a box that is no larger. Where layers lie far apart both are wider.
+  double max_width = 36;
 };
 
 // Of clouds in which they are many; those that are joined are one.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geom/arrays/disjoint_sets.h"
+#include "geom/box.h"
 
 namespace cocoon {
 
@@ -30,15 +31,20 @@ LooseParts loose_parts(const TriangleMesh& mesh, VertexId first_new) {
   for (std::uint32_t place = 0; place < count; ++place) {
     if (is_held[place] != 0) is_held[parts.root(place)] = 1;
   }
-  std::vector<std::size_t> sizes(count, 0);  // by their first vertices, their roots
+  // By their first vertices, their roots.
+  std::vector<std::size_t> sizes(count, 0);
+  std::vector<Box> boxes(count);
   for (const Triangle& t : mesh.triangles) {
     if (!std::all_of(t.begin(), t.end(), is_new)) continue;
     const std::uint32_t part = parts.root(place_of(t[0]));
-    if (is_held[part] == 0) ++sizes[part];
+    if (is_held[part] != 0) continue;
+    ++sizes[part];
+    for (const VertexId v : t) boxes[part].include(mesh.points[v]);
   }
   for (std::uint32_t part = 0; part < count; ++part) {
     if (sizes[part] == 0) continue;
     ++found.count;
+    found.extents.push_back(norm(boxes[part].size()));
     if (sizes[part] <= found.triangles) continue;
     found.triangles = sizes[part];
     found.at = VertexId(first_new.value + part);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "geom/ids.h"
 #include "geom/triangle_mesh.h"
@@ -13,6 +14,8 @@ struct LooseParts {
   // Of the largest (of several the one with the first vertex):
   std::size_t triangles = 0;
   VertexId at = {};  // its first vertex, as the updated mesh numbers it
+  // Of each part the diagonal of its box.
+  std::vector<double> extents;
 };
 
 // Triangles that share a vertex are of one part. Counted are parts all of whose vertices are of

@@ -227,6 +227,15 @@ std::string warning_of_contradicted(const ContradictedSamples& samples) {
          "look at the result";
 }
 
+std::string warning_of_left_out(const CrowdedSamples& crowded, std::size_t before,
+                                std::size_t after) {
+  return counted(crowded.in_layers, "sample") + " in layers of views that are out of register, " +
+         "closer than " + rounded(crowded.distance) + " to others, " +
+         (crowded.in_layers == 1 ? "is" : "are") + " left out: with all of them the surface has " +
+         counted(before, "handle or part", "handles and parts") + " that nothing explains, now " +
+         std::to_string(after) + "; register the views, or look at the result";
+}
+
 std::string warning_of_handles(std::size_t handles) {
   return "the updated model has " + counted(handles, "handle") +
          " more than what was replaced explains: right if the scans have " +

@@ -13,6 +13,7 @@
 #include "update/report/closed_openings.h"
 #include "update/report/cloud_report.h"
 #include "update/report/contradicted_samples.h"
+#include "update/report/crowded_samples.h"
 #include "update/report/loose_parts.h"
 #include "update/report/overlooked_vertices.h"
 #include "update/report/rim_shift.h"
@@ -81,6 +82,9 @@ std::string warning_of_overlooked(const OverlookedVertices& vertices, const Poin
                                   const OverlookedOptions& options = {}, std::size_t replaced = 0);
 std::string warning_of_unused_changes(const UnusedChanges& changes);
 std::string warning_of_contradicted(const ContradictedSamples& samples);
+// `before`, `after`: handles and parts that nothing explains, with these samples and without.
+std::string warning_of_left_out(const CrowdedSamples& crowded, std::size_t before,
+                                std::size_t after);
 // More than the rims explain.
 std::string warning_of_handles(std::size_t handles);
 // `at`: the place of the vertex that they name, in the updated mesh and in the model.

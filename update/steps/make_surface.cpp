@@ -1,5 +1,6 @@
 #include "update/steps/make_surface.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "update/regions/kept_surface.h"
 #include "update/report/crowded_samples.h"
 #include "update/report/loose_parts.h"
+#include "update/report/patch_handles.h"
 #include "update/report/unexplained_handles.h"
 #include "update/report/update_messages.h"
 #include "update/report/updated_vertices.h"
@@ -66,24 +68,22 @@ struct Attempts {
   std::span<const EdgeSide> irregular;
 };
 
-// Enters what the surface is like; returns how many handles and parts nothing explains.
-std::size_t enter_faults(const Attempts& attempts, UpdateResult& result) {
+// Enters what the surface is like.
+void enter_faults(const Attempts& attempts, UpdateResult& result) {
   // None without a mesh: it is connected (UpdatedSurface).
   result.loose_parts = loose_parts(result.mesh, first_vertex_of_clouds(result.vertex_map));
-  const std::size_t parts = result.loose_parts.count;
+  const auto parts = static_cast<std::ptrdiff_t>(result.loose_parts.count);
   // To close the openings of a model changes its Euler number, too.
-  if (attempts.irregular.empty()) {
-    result.unexplained_handles =
-        unexplained_handles(result.clouds, result.choice.undecided_loops, result.euler_before,
-                            result.euler - 2 * static_cast<std::ptrdiff_t>(parts));
-  }
-  return result.unexplained_handles + parts;
+  if (!attempts.irregular.empty()) return;
+  result.unexplained_handles = unexplained_handles(result.clouds, result.choice.undecided_loops,
+                                                   result.euler_before, result.euler - 2 * parts);
 }
 
-// Enters the points, without the samples with a flag, and their surface; returns its faults, none
-// without a surface.
-std::optional<std::size_t> attempt(const Attempts& attempts, std::span<const SampleFlags> left_out,
-                                   const Execution& execution) {
+// Enters the points, without the samples with a flag, and their surface; returns its triangles, or
+// those that changed, none without a surface.
+std::optional<std::span<const Triangle>> attempt(const Attempts& attempts,
+                                                 std::span<const SampleFlags> left_out,
+                                                 const Execution& execution) {
   UpdateRun& run = attempts.run;
   UpdateResult& result = run.result;
   result.replacement = replace_points(*run.index, attempts.replaced, run.given, left_out);
@@ -96,22 +96,71 @@ std::optional<std::size_t> attempt(const Attempts& attempts, std::span<const Sam
   result.vertex_map = updated_vertices(result.replacement, result.reconstruction);
   const std::size_t points = result.replacement.points.size();
   result.euler = euler_number(points - result.reconstruction.unused_points, surface.triangles);
-  return enter_faults(attempts, result);
+  enter_faults(attempts, result);
+  return result.mesh.triangles.empty() ? surface.changed : result.mesh.triangles.span();
 }
 
-// `faults`: of the surface of all samples.
-void try_without_crowded(const Attempts& attempts, std::size_t faults, const Execution& execution) {
+// Handles and parts of a surface.
+struct Features {
+  std::ptrdiff_t narrow = 0;   // handles that layers may have made,
+  std::ptrdiff_t handles = 0;  // and all, but for a number that is the same for all surfaces
+  std::ptrdiff_t small = 0;    // parts
+  std::ptrdiff_t large = 0;
+};
+
+// `triangles`: those of attempt().
+Features features(const UpdateRun& run, std::span<const Triangle> triangles) {
+  const UpdateResult& result = run.result;
+  const double max_width =
+      run.options.crowded.max_width * result.crowded.thickness * result.crowded.distance;
+  Features found;
+  for (const double extent : result.loose_parts.extents) {
+    ++(extent > max_width ? found.large : found.small);
+  }
+  // Without a mesh the points are its vertices.
+  const Points vertices =
+      result.mesh.triangles.empty() ? Points(result.replacement.points) : result.mesh.points.span();
+  found.narrow = static_cast<std::ptrdiff_t>(narrow_patch_handles(
+      vertices, triangles, first_vertex_of_clouds(result.vertex_map), max_width));
+  found.handles = found.small + found.large - result.euler / 2;
+  return found;
+}
+
+// Whether it has less of what layers make, and what else it has not is little beside that: some of
+// what they make is wider, and some narrower handles are true.
+bool is_better(const Features& fewer, const Features& all) {
+  const std::ptrdiff_t mended = all.narrow - fewer.narrow;
+  const std::ptrdiff_t lost = all.handles - fewer.handles - mended;
+  return fewer.narrow + fewer.small < all.narrow + all.small && fewer.large >= all.large &&
+         3 * lost <= std::max<std::ptrdiff_t>(mended, 0);
+}
+
+std::size_t unexplained(const UpdateResult& result) {
+  return result.unexplained_handles + result.loose_parts.count;
+}
+
+// Where the surface of all samples, with these triangles, has handles or parts that nothing
+// explains.
+void try_without_crowded(const Attempts& attempts, std::span<const Triangle> triangles,
+                         const Execution& execution) {
   UpdateRun& run = attempts.run;
   CrowdedSamples& crowded = run.result.crowded;
   const CrowdedOptions& options = run.options.crowded;
   crowded = crowded_samples(*run.index, run.result.replacement.removed, run.joined, run.given,
                             options, execution);
   if (!options.leave_out || crowded.in_layers == 0) return;
-  const bool is_better = run_step(execution, "without_crowded", [&](const Execution& nested) {
-    const std::optional<std::size_t> left = attempt(attempts, crowded.is_in_layers, nested);
-    return left && *left < faults;
+  const Features all = features(run, triangles);
+  if (all.narrow + all.small == 0) return;
+  const std::size_t before = unexplained(run.result);
+  const bool is_taken = run_step(execution, "without_crowded", [&](const Execution& nested) {
+    const auto of_fewer = attempt(attempts, crowded.is_in_layers, nested);
+    return of_fewer && is_better(features(run, *of_fewer), all);
   });
-  if (!is_better) attempt(attempts, {}, execution);
+  if (is_taken) {
+    run.warn(warning_of_left_out(crowded, before, unexplained(run.result)));
+  } else {
+    attempt(attempts, {}, execution);
+  }
 }
 
 }  // namespace
@@ -120,13 +169,13 @@ bool make_surface(UpdateRun& run, const UpdateParts& parts, const ReplacedVertic
                   std::span<const EdgeSide> irregular, const Execution& execution) {
   run.result.euler_before = euler_number(*run.index, irregular);
   const Attempts attempts{run, parts, replaced, irregular};
-  const std::optional<std::size_t> faults = attempt(attempts, {}, execution);
-  if (!faults) {
+  const auto triangles = attempt(attempts, {}, execution);
+  if (!triangles) {
     const ReconstructResult& surface = run.result.reconstruction;
     if (surface.status != SurfaceStatus::refuted) return fail_empty(run);
     return run.fail(UpdateStatus::refuted, surface.verification.failure);
   }
-  if (*faults > 0) try_without_crowded(attempts, *faults, execution);
+  if (unexplained(run.result) > 0) try_without_crowded(attempts, *triangles, execution);
   return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geom/box.h"
 #include "tests/mesh_gallery.h"
 
 namespace cocoon {
@@ -15,6 +16,9 @@ TEST(LooseParts, AreOfNewVerticesAlone) {
   const LooseParts found = loose_parts(all, VertexId(cube.points.size()));
   EXPECT_EQ(found.count, 2U);
   EXPECT_EQ(found.triangles, torus.triangles.size());
+  ASSERT_EQ(found.extents.size(), 2U);
+  EXPECT_EQ(found.extents[0], norm(box_of(torus.points.span()).size()));
+  EXPECT_EQ(found.extents[1], norm(box_of(cube.points.span()).size()));
   EXPECT_EQ(found.at, VertexId(cube.points.size()));
   EXPECT_EQ(loose_parts(all, VertexId(all.points.size())).count, 0U);
   EXPECT_EQ(loose_parts(TriangleMesh(), VertexId(3U)).count, 0U);

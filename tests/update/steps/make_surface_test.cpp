@@ -1,10 +1,13 @@
 // Views in layers: a surface without the samples that crowd, and by a session, too.
 #include "update/steps/make_surface.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <vector>
 
 #include "cocone/reconstruct.h"
+#include "geom/search/thin_points.h"
 #include "tests/layered_views.h"
 #include "tests/update/session_checks.h"
 #include "update/report/vertex_origins.h"
@@ -97,6 +100,58 @@ TEST_F(LayeredViews, GiveASessionTheSameSurface) {
     session.undo();
     EXPECT_TRUE(session.model() == before);
   }
+}
+
+// The faces of a plate of this thickness, and the wall of a bore through it, seen by several views.
+// Of a model without a bore the radius is 0.
+std::vector<Point> plate(double half_width, double spacing, double radius, double thickness) {
+  std::vector<Point> points;
+  for (double x = -half_width; x < half_width + spacing / 2; x += spacing) {
+    for (double y = -half_width; y < half_width + spacing / 2; y += spacing) {
+      if (std::hypot(x, y) < radius + spacing / 4) continue;
+      points.push_back({x, y, 0});
+      points.push_back({x, y, thickness});
+    }
+  }
+  const double around = std::ceil(2 * std::numbers::pi * radius / spacing);
+  for (double k = 0; k < around; ++k) {
+    const double angle = 2 * std::numbers::pi * k / around;
+    for (double z = 0; z < thickness + spacing / 2; z += spacing) {
+      points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+  }
+  return points;
+}
+
+// A bore that leads through the model is none of the samples' own handles, though its rims are not
+// found, and though it would be closed without the samples that crowd.
+TEST(LayeredBore, Stays) {
+  constexpr double thickness = 3;
+  Random random(2);
+  std::vector<Point> before = plate(16, 1, 0, thickness);
+  for (double x = -16; x < 16.5; ++x) {
+    for (double z = 1; z < thickness; ++z) {
+      for (const double side : {-16.0, 16.0}) {
+        before.push_back({x, side, z});
+        if (std::abs(x) < 16) before.push_back({side, x, z});
+      }
+    }
+  }
+  std::vector<Point> cloud;
+  for (int view = 0; view < 5; ++view) {
+    const Vec3 by = 0.15 * random.on_unit_sphere();
+    for (const Point& p : plate(6, 0.45, 0.65, thickness)) {
+      cloud.push_back(p + by + 0.1 * random.on_unit_sphere());
+    }
+  }
+  const TriangleMesh model = reconstruct_tight(before).mesh;
+  const UpdateResult result = update_model(model, {{cloud}});
+  ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
+  EXPECT_EQ(result.euler_before, 2);
+  EXPECT_EQ(result.euler, 0);
+  std::vector<Point> thinned;
+  for (const PointId p : thin_points(cloud, 0.75)) thinned.push_back(cloud[p.index()]);
+  EXPECT_EQ(update_model(model, {{thinned}}).euler, 2);
 }
 
 }  // namespace

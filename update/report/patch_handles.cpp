@@ -1,0 +1,82 @@
+#include "update/report/patch_handles.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "geom/arrays/sort_ids.h"
+#include "geom/box.h"
+#include "geom/id_vector.h"
+#include "geom/mesh/halfedges.h"
+#include "geom/mesh/linked_mesh.h"
+#include "geom/mesh/narrow_handles.h"
+#include "geom/mesh/split_nonmanifold.h"
+#include "geom/mesh_check.h"
+#include "geom/messages/require_size.h"
+
+namespace cocoon {
+
+namespace {
+
+// With their vertices numbered in the order in which they were.
+TriangleMesh patch_of(Points vertices, std::span<const Triangle> triangles, VertexId first_new) {
+  TriangleMesh patch;
+  std::vector<VertexId> corners;
+  for (const Triangle& t : triangles) {
+    if (std::none_of(t.begin(), t.end(), [&](VertexId v) { return v >= first_new; })) continue;
+    patch.triangles.push_back(t);
+    corners.insert(corners.end(), t.begin(), t.end());
+  }
+  make_set(corners);
+  if (!corners.empty()) {
+    require_index("narrow_patch_handles", "vertex", corners.back().index(), vertices.size());
+  }
+  for (const VertexId v : corners) patch.points.push_back(vertices[v.index()]);
+  for (Triangle& t : patch.triangles) {
+    for (VertexId& v : t) {
+      v = VertexId(static_cast<std::size_t>(std::lower_bound(corners.begin(), corners.end(), v) -
+                                            corners.begin()));
+    }
+  }
+  return patch;
+}
+
+// Puts a cone over each boundary loop, with its top so far away that no short path leads over it.
+// Precondition: at each vertex there is one fan at most.
+void close_openings(TriangleMesh& mesh) {
+  const HalfedgeRings rings = link_halfedges(mesh);
+  IdVector<VertexId, VertexId> next(mesh.points.size());  // along the boundary, against triangles
+  for (Halfedge h = 0; h < rings.links.size(); ++h) {
+    if (rings.links[h] != h) continue;
+    const auto [from, to] = ends_of_halfedge(mesh, h);
+    next[to] = from;
+  }
+  const Box box = box_of(mesh.points.span());
+  Point top = box.high + 10 * box.size();
+  for (const VertexId first : next.ids()) {
+    if (next[first].is_none()) continue;
+    const VertexId apex = mesh.points.push_back(top);
+    top = top + box.size();
+    for (VertexId v = first; !next[v].is_none();) {
+      const VertexId after = std::exchange(next[v], VertexId());
+      mesh.triangles.push_back({v, after, apex});
+      v = after;
+    }
+  }
+}
+
+}  // namespace
+
+std::size_t narrow_patch_handles(Points vertices, std::span<const Triangle> triangles,
+                                 VertexId first_new, double max_length) {
+  TriangleMesh patch = split_nonmanifold(patch_of(vertices, triangles, first_new)).mesh;
+  close_openings(patch);
+  const LinkedMesh linked = link_mesh(patch);
+  const std::size_t handles = mesh_check(linked).genus.value_or(0);
+  const std::vector<NarrowHandle> found = narrow_handles(linked, handles);
+  return static_cast<std::size_t>(
+      std::count_if(found.begin(), found.end(),
+                    [&](const NarrowHandle& handle) { return handle.length <= max_length; }));
+}
+
+}  // namespace cocoon

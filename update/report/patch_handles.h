@@ -1,0 +1,24 @@
+// Handles of what samples have put into an updated surface.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "geom/ids.h"
+#include "geom/point.h"
+#include "geom/triangle_mesh.h"
+
+namespace cocoon {
+
+// How many handles of the triangles with a vertex from `first_new` on, taken alone, have a closed
+// path of edges around or through them that is not longer than `max_length` (narrow_handles): so a
+// handle that goes through the rest of the model is none of them, as a bore whose mouths are in it.
+// `triangles`: with all of that kind, of a surface without open edges; `vertices`: their points.
+// Where triangles touch at an edge or a vertex they are parted first (split_nonmanifold), and
+// openings are closed by a vertex far away.
+// Complexity: O(n log n) for n such triangles. Errors: InputError for a triangle with a vertex that
+// is not there. Source: ours.
+std::size_t narrow_patch_handles(Points vertices, std::span<const Triangle> triangles,
+                                 VertexId first_new, double max_length);
+
+}  // namespace cocoon
