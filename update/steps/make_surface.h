@@ -12,11 +12,12 @@
 namespace cocoon {
 
 // Has these vertices go and samples come, and reconstructs. Where the surface has handles that
-// nothing explains, or loose parts, and many samples crowd (CrowdedOptions), it is made again
-// without these, and then taken if it has fewer of both. Enters in the result what the points and
-// the surface are, its handles and loose parts, the Euler numbers of it and of the model, and what
-// crowds. `irregular`: irregular_sides() of the model. Returns false, with the status, if there is
-// no surface, or if it was refuted.
+// nothing explains, or loose parts, many samples crowd in layers (CrowdedOptions), and some of its
+// own handles or parts are no wider than layers make them, it is made again without these samples,
+// and taken, with a warning, if it has fewer such handles and parts, and hardly less of anything
+// else. Enters in the result what the points and the surface are, its handles and loose parts, the
+// Euler numbers of it and of the model, and what crowds. `irregular`: irregular_sides() of the
+// model. Returns false, with the status, if there is no surface, or if it was refuted.
 // Errors and complexity: those of replace_points() and of parts.reconstruct, which is called up to
 // three times. Source: Woo & Dey 2005, section 3.5; docs/update.md, departure 25.
 bool make_surface(UpdateRun& run, const UpdateParts& parts, const ReplacedVertices& replaced,
