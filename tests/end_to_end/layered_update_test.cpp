@@ -59,11 +59,13 @@ TEST(LayeredUpdate, CrowdedSamplesAreLeftOutWhereThatMendsIt) {
     EXPECT_EQ(report["surface"]["euler"], 2);
     EXPECT_EQ(thinned.find("in layers"), std::string::npos);
     EXPECT_FALSE(report["update"].contains("crowded_samples"));
-    updated({}, report);
+    const std::string html = folder.file("report.html");
+    updated({"--html", html}, report);
     EXPECT_EQ(report["surface"]["euler"], 2);
     EXPECT_EQ(report["surface"]["components"], 1);
     EXPECT_EQ(report["update"]["left_out_samples"], report["update"]["crowded_samples"]);
     EXPECT_NE(report["warnings"].dump().find("are left out"), std::string::npos);
+    EXPECT_NE(content_of(html).find("left out, in layers"), std::string::npos);
     ++mended;
   }
   EXPECT_EQ(mended, 2U);

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "cocone/reconstruct.h"
 #include "geom/search/thin_points.h"
 #include "tests/layered_views.h"
+#include "tests/stop_after.h"
 #include "tests/update/session_checks.h"
 #include "update/report/vertex_origins.h"
 #include "update/update_session.h"
@@ -72,10 +74,59 @@ TEST_F(LayeredViews, KeepAllWhereFewerHaveAsManyHandles) {
       const UpdateResult expected = update_model(model_, clouds, little);
       EXPECT_TRUE(result.mesh == expected.mesh);
       expect_equal_reports(result, expected);
+      little.crowded.leave_out = true;
+      UpdateSession session(ball_, little);
+      EXPECT_EQ(session.apply(clouds).result.status, UpdateStatus::ok);
+      EXPECT_TRUE(session.model() == expected.mesh);
       ++tried;
     }
   }
   EXPECT_GE(tried, 1U);
+}
+
+// A surface of fewer samples that is none, or refuted, leaves no trace.
+TEST_F(LayeredViews, KeepAllWhereFewerHaveNoSurface) {
+  UpdateOptions all;
+  all.crowded.leave_out = false;
+  for (const Clouds& clouds : trials()) {
+    const UpdateResult expected = update_model(model_, clouds, all);
+    for (const SurfaceStatus failure : {SurfaceStatus::no_surface, SurfaceStatus::refuted}) {
+      const ModelIndex index(model_);
+      std::size_t calls = 0;
+      const UpdateParts parts{
+          [&](const Execution&) -> const ModelIndex& { return index; },
+          [&](const Replacement& replacement, const OldSurface& old, const Execution& execution) {
+            ReconstructResult result =
+                reconstruct_tight_with_labels(replacement.points, old.labels, {}, execution);
+            if (++calls == 2) result.status = failure;
+            const std::size_t triangles = result.mesh.triangles.size();
+            return UpdatedSurface{std::move(result), triangles, {}};
+          }};
+      const UpdateResult result = update_model(model_, clouds, parts);
+      EXPECT_EQ(calls, 3U);
+      EXPECT_TRUE(result.mesh == expected.mesh);
+      EXPECT_EQ(result.replacement.left_out, 0U);
+      expect_equal_reports(result, expected);
+    }
+  }
+}
+
+// Whenever that is, between the attempts, too.
+TEST_F(LayeredViews, CanBeStoppedInASession) {
+  const Clouds clouds = trials().front();
+  const TriangleMesh expected = update_model(model_, clouds).mesh;
+  UpdateSession session(ball_);
+  const TriangleMesh before = session.model();
+  const auto run = [&](Progress& progress) { session.apply(clouds, {1, &progress}); };
+  const auto go_on = [&](int reports) {
+    EXPECT_TRUE(session.model() == before);
+    if (reports % 60 != 1) return;
+    session.apply(clouds);
+    EXPECT_TRUE(session.model() == expected) << reports;
+    session.undo();
+  };
+  EXPECT_GT(test::stop_everywhere(run, go_on, 20), 4);
+  EXPECT_TRUE(session.model() == expected);
 }
 
 TEST_F(LayeredViews, GiveASessionTheSameSurface) {
