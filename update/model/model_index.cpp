@@ -46,23 +46,38 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
 
 // Numbered by their first triangles; empty if all are of one component. Each triangle takes over
 // the seed of its earliest neighbor before it, and seeds that meet are joined: in the order of
-// memory, and with one branch for most triangles, since which neighbors are earlier cannot be
-// foreseen.
+// memory, and without a branch for what cannot be foreseen, which neighbors are earlier. Numbers
+// and not ids, since g++ puts ids that are compared into memory.
 IdVector<TriangleId, std::uint32_t> components_of(const TriangleNeighbors& neighbors) {
   IdVector<TriangleId, std::uint32_t> components(neighbors.size());  // first, their seeds
+  std::vector<std::uint32_t>& seed_of = components.raw();
   std::uint32_t seeds = 0;
   std::vector<std::array<std::uint32_t, 2>> joins;
-  for (const TriangleId t : components.ids()) {
-    const auto& [a, b, c] = neighbors[t];  // none is above all
-    const TriangleId earliest = std::min({a, b, c});
-    const std::uint32_t seed = earliest < t ? components[earliest] : seeds++;
-    components[t] = seed;
-    const auto seed_of = [&](TriangleId next) { return components[std::min(next, t)]; };
-    if (((seed_of(a) ^ seed) | (seed_of(b) ^ seed) | (seed_of(c) ^ seed)) == 0) continue;
-    for (const TriangleId next : neighbors[t]) joins.push_back({seed, seed_of(next)});
+  std::size_t num_joins = 0;
+  const auto smaller = [](std::uint32_t a, std::uint32_t b) { return a < b ? a : b; };
+  constexpr std::uint32_t block = 1024;
+  for (std::uint32_t t = 0; t < seed_of.size(); ++t) {
+    if (t % block == 0) joins.resize(num_joins + 3 * std::size_t{block});
+    const auto& next = neighbors[TriangleId(t)];
+    const std::uint32_t a = smaller(next[0].value, t);  // none is above all
+    const std::uint32_t b = smaller(next[1].value, t);
+    const std::uint32_t c = smaller(next[2].value, t);
+    const std::uint32_t earliest = smaller(smaller(a, b), c);
+    const std::uint32_t taken_over = seed_of[earliest];
+    const std::uint32_t seed = earliest < t ? taken_over : seeds;
+    seeds += earliest < t ? 0U : 1U;
+    seed_of[t] = seed;
+    const auto join = [&](std::uint32_t neighbor) {
+      const std::uint32_t other = seed_of[neighbor];
+      joins[num_joins] = {seed, other};
+      num_joins += other != seed ? 1U : 0U;
+    };
+    join(a);
+    join(b);
+    join(c);
   }
   DisjointSets sets(seeds);
-  for (const auto& [one, other] : joins) sets.join(one, other);
+  for (std::size_t k = 0; k < num_joins; ++k) sets.join(joins[k][0], joins[k][1]);
   std::vector<std::uint32_t> number(seeds);
   std::uint32_t count = 0;
   for (std::uint32_t seed = 0; seed < seeds; ++seed) {
