@@ -68,8 +68,8 @@ struct Attempts {
   std::span<const EdgeSide> irregular;
 };
 
-// Enters what the surface is like.
-void enter_faults(const Attempts& attempts, UpdateResult& result) {
+// Enters the handles and parts that nothing explains.
+void enter_unexplained(const Attempts& attempts, UpdateResult& result) {
   // None without a mesh: it is connected (UpdatedSurface).
   result.loose_parts = loose_parts(result.mesh, first_vertex_of_clouds(result.vertex_map));
   const auto parts = static_cast<std::ptrdiff_t>(result.loose_parts.count);
@@ -96,7 +96,7 @@ std::optional<std::span<const Triangle>> attempt(const Attempts& attempts,
   result.vertex_map = updated_vertices(result.replacement, result.reconstruction);
   const std::size_t points = result.replacement.points.size();
   result.euler = euler_number(points - result.reconstruction.unused_points, surface.triangles);
-  enter_faults(attempts, result);
+  enter_unexplained(attempts, result);
   return result.mesh.triangles.empty() ? surface.changed : result.mesh.triangles.span();
 }
 
