@@ -32,10 +32,11 @@ struct Replacement : ReplacedVertices {
 };
 
 // Replaces the vertices that go by the clouds `added`, but for the samples whose flag in
-// `left_out`, for each cloud one of each sample, is not 0; without flags all come in. Errors:
-// InputError for vertices that are not ascending or not of the model, and for flags that are too
-// few or too many. Complexity: O(n) for n points. Deterministic. Source: Woo & Dey 2005,
-// section 3.4.
+// `left_out`, for each cloud one of each sample, is not 0; without flags all come in.
+// Errors: InputError for vertices that are not ascending or not of the model, and for flags that
+// are too few or too many.
+// Complexity: O(n) for n points. Deterministic.
+// Source: Woo & Dey 2005, section 3.4.
 Replacement replace_points(const ModelIndex& model, ReplacedVertices vertices,
                            std::span<const std::vector<Point>> added,
                            std::span<const SampleFlags> left_out = {});

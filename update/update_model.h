@@ -121,17 +121,19 @@ struct UpdateResult {
 // `clouds` registered to it, each of which covers a part of the model and overlaps the rest along
 // its rim. Vertices of the result: kept vertices in the order of the model, then cloud points in
 // the order given, without those not on the surface or left out (CrowdedOptions). Every edge of the
-// result is balanced (reconstruct_tight), whatever the model was. Progress: its four steps are
-// "boundary_detection", "overlapping_facets", "segmentation_and_selection" and "reconstruction";
-// stages report below them. The first three come again where joined clouds have to be taken one by
-// one, and where a refused one lies in layers; stages of the last one come again, below
-// "without_crowded" and then as before, where samples in layers are left out. Errors: InputError
-// for no cloud, a cloud that cannot be triangulated (not finite; too few points or all on one line,
-// unless it overlaps another cloud), a model without triangles, with bad indices or a coordinate
-// that is not finite, a model or cloud whose largest coordinate is not in [2^-200, 2^200], options
-// out of range (stage_options.h). Complexity: O(n log n) expected for n points in all.
-// Deterministic for any thread count; the order of model and clouds matters for numbering only.
-// Source: Woo & Dey 2005, section 3. What is decided otherwise and why: docs/update.md.
+// result is balanced (reconstruct_tight), whatever the model was.
+// Progress: its four steps are "boundary_detection", "overlapping_facets",
+// "segmentation_and_selection" and "reconstruction"; stages report below them. The first three come
+// again where joined clouds have to be taken one by one, and where a refused one lies in layers;
+// stages of the last one come again, below "without_crowded" and then as before, where samples in
+// layers are left out.
+// Errors: InputError for no cloud, a cloud that cannot be triangulated (not finite; too few points
+// or all on one line, unless it overlaps another cloud), a model without triangles, with bad
+// indices or a coordinate that is not finite, a model or cloud whose largest coordinate is not in
+// [2^-200, 2^200], options out of range (stage_options.h). Complexity: O(n log n) expected for n
+// points in all. Deterministic for any thread count; the order of model and clouds matters for
+// numbering only. Source: Woo & Dey 2005, section 3. What is decided otherwise and why:
+// docs/update.md.
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateOptions& options = {}, const Execution& execution = {});
 

@@ -253,10 +253,9 @@ SessionUpdate UpdateSession::apply(std::span<const std::vector<Point>> clouds,
       [&](const Replacement& replacement, const OldSurface& old, const Execution& nested) {
         ReconstructResult result = reconstruct(replacement, old, nested, pending);
         const std::size_t triangles = num_triangles(result, pending);
-        return UpdatedSurface{std::move(result), triangles,
-                              pending.surface
-                                  ? std::span<const Triangle>(pending.surface->triangles)
-                                  : std::span<const Triangle>()};
+        UpdatedSurface surface{std::move(result), triangles};
+        if (pending.surface) surface.changed = pending.surface->triangles;
+        return surface;
       },
       is_smooth()};
   SessionUpdate update;

@@ -1,13 +1,11 @@
 #include "update/report/patch_handles.h"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
+#include "cocone/boundary_loops.h"
 #include "geom/arrays/sort_ids.h"
 #include "geom/box.h"
-#include "geom/id_vector.h"
-#include "geom/mesh/halfedges.h"
 #include "geom/mesh/linked_mesh.h"
 #include "geom/mesh/narrow_handles.h"
 #include "geom/mesh/split_nonmanifold.h"
@@ -42,25 +40,15 @@ TriangleMesh patch_of(Points vertices, std::span<const Triangle> triangles, Vert
 }
 
 // Puts a cone over each boundary loop, with its top so far away that no short path leads over it.
-// Precondition: at each vertex there is one fan at most.
 void close_openings(TriangleMesh& mesh) {
-  const HalfedgeRings rings = link_halfedges(mesh);
-  IdVector<VertexId, VertexId> next(mesh.points.size());  // along the boundary, against triangles
-  for (Halfedge h = 0; h < rings.links.size(); ++h) {
-    if (rings.links[h] != h) continue;
-    const auto [from, to] = ends_of_halfedge(mesh, h);
-    next[to] = from;
-  }
+  const BoundaryLoops openings = boundary_loops(mesh, {.min_component_share = 0});
   const Box box = box_of(mesh.points.span());
   Point top = box.high + 10 * box.size();
-  for (const VertexId first : next.ids()) {
-    if (next[first].is_none()) continue;
+  for (const BoundaryLoop& opening : openings.loops) {
     const VertexId apex = mesh.points.push_back(top);
     top = top + box.size();
-    for (VertexId v = first; !next[v].is_none();) {
-      const VertexId after = std::exchange(next[v], VertexId());
-      mesh.triangles.push_back({v, after, apex});
-      v = after;
+    for (const BoundaryEdge& edge : opening.edges) {
+      mesh.triangles.push_back({edge.to, edge.from, apex});
     }
   }
 }

@@ -170,8 +170,7 @@ std::string warning_of_few_samples(const std::string& clouds, const std::string&
 
 std::string hint_of_layers(const std::string& clouds) {
   return clouds +
-         ": samples lie in layers or are noisy; register the views, or leave out what "
-         "crowds";
+         ": samples lie in layers or are noisy; register the views, or leave out what crowds";
 }
 
 std::string warning_of_shared_regions(std::size_t regions) {

@@ -8,8 +8,7 @@ UpdateRun::UpdateRun(const TriangleMesh& mesh, std::span<const std::vector<Point
                      const UpdateOptions& update_options)
     : model(mesh), given(of_user), clouds(of_user), options(update_options) {
   for (std::size_t c = 0; c < clouds.size(); ++c) joined.push_back({.members = {c}, .sheet = {}});
-  result.clouds.resize(clouds.size());
-  layers.assign(clouds.size(), options.cloud.layers);
+  begin_clouds();
 }
 
 UpdateRun::UpdateRun(const TriangleMesh& mesh, std::span<const std::vector<Point>> of_user,
@@ -17,6 +16,10 @@ UpdateRun::UpdateRun(const TriangleMesh& mesh, std::span<const std::vector<Point
     : model(mesh), given(of_user), joined(std::move(overlapping)), options(update_options) {
   for (const JoinedCloud& cloud : joined) joined_samples.push_back(samples_of(cloud, given));
   clouds = joined_samples;
+  begin_clouds();
+}
+
+void UpdateRun::begin_clouds() {
   result.clouds.resize(clouds.size());
   layers.assign(clouds.size(), options.cloud.layers);
 }

@@ -85,6 +85,7 @@ struct UpdateRun {
   UpdateResult result;
 
  private:
+  void begin_clouds();
   void tell_members();
 };
 
