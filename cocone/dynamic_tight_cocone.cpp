@@ -18,7 +18,8 @@
 #include "cocone/live/live_candidates.h"
 #include "cocone/live/point_step.h"
 #include "cocone/live/reconstruct_stages.h"
-#include "delaunay/delaunay.h"
+#include "cocone/steps/reconstruct_and_keep.h"
+#include "cocone/steps/triangulate_points.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/arrays/sort_ids.h"
 #include "geom/errors.h"
@@ -237,8 +238,8 @@ ReconstructResult DynamicTightCocone::State::run_stages(Points points, const Old
   if (candidates.exists()) return run_later_stages(points, old, execution, may_edit);
   ReconstructStages stages;
   ReconstructResult result =
-      reconstruct_tight_with_labels(compact_delaunay(delaunay, vertex_of_point).triangulation,
-                                    points, old.labels, options, execution, stages);
+      reconstruct_and_keep(compact_delaunay(delaunay, vertex_of_point).triangulation, points,
+                           old.labels, options, execution, stages);
   take(result, std::move(stages), execution);
   return result;
 }
@@ -414,11 +415,10 @@ ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution
     state_->clear(points.size());
     return result;
   }
-  require_comparable_sizes(points, execution);
-  DelaunayResult built = delaunay(points, state_->options.delaunay, execution);
+  DelaunayResult built = triangulate_points(points, state_->options.delaunay, execution);
   ReconstructStages stages;
-  ReconstructResult result = reconstruct_tight_with_labels(
-      std::move(built.triangulation), points, known, state_->options, execution, stages);
+  ReconstructResult result = reconstruct_and_keep(std::move(built.triangulation), points, known,
+                                                  state_->options, execution, stages);
   result.counters.delaunay = built.counters;
   state_->take(result, std::move(stages), execution);
   return result;

@@ -3,10 +3,30 @@
 #include <utility>
 
 #include "cocone/inputs/stage_inputs.h"
-#include "cocone/reconstruct_steps.h"
+#include "cocone/orient_surface.h"
+#include "cocone/steps/close_surface.h"
+#include "cocone/steps/find_surface.h"
+#include "cocone/steps/surface_result.h"
+#include "cocone/steps/triangulate_points.h"
+#include "cocone/surface_mesh.h"
 #include "geom/messages/require_number.h"
 
 namespace cocoon {
+
+namespace {
+
+// All that follows the triangulation, which the counters are of.
+ReconstructResult tight_surface(const ReconstructInput& input, const DelaunayCounters& counters,
+                                const KnownLabelsSource& known, const Execution& execution) {
+  SurfaceResult made = begin_result(input);
+  made.result.counters.delaunay = counters;
+  FoundSurface found = find_surface(input, made.result.counters, nullptr, execution);
+  close_surface(input, found, known, {}, made, execution);
+  verify_result(input, true, made, execution);
+  return std::move(made.result);
+}
+
+}  // namespace
 
 ReconstructOptions effective_options(ReconstructOptions options) {
   require_options("reconstruct", options.cocone);
@@ -51,29 +71,38 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
 ReconstructResult reconstruct_tight_with_labels(Points points, const KnownLabelsSource& known,
                                                 const ReconstructOptions& options,
                                                 const Execution& execution) {
-  ReconstructSteps steps(points, options, execution);
-  steps.triangulate();
-  return steps.tight_result(known);
+  const ReconstructOptions effective = effective_options(options);
+  const DelaunayResult built = triangulate_points(points, effective.delaunay, execution);
+  return tight_surface({built.triangulation, points, effective}, built.counters, known, execution);
 }
 
 ReconstructResult reconstruct_tight_with_labels(Triangulation triangulation, Points points,
                                                 const KnownLabelsSource& known,
                                                 const ReconstructOptions& options,
                                                 const Execution& execution) {
-  ReconstructSteps steps(points, options, execution);
-  steps.take(std::move(triangulation));
-  return steps.tight_result(known);
+  const ReconstructOptions effective = effective_options(options);
+  return tight_surface({triangulation, points, effective}, {}, known, execution);
 }
 
 ReconstructResult reconstruct_cocone(Points points, const ReconstructOptions& options,
                                      const Execution& execution) {
-  ReconstructSteps steps(points, options, execution);
-  steps.triangulate();
-  steps.find_poles();
-  steps.build_surface();
-  steps.deliver_open_surface();
-  steps.verify(false);
-  return steps.take_result();
+  const ReconstructOptions effective = effective_options(options);
+  const DelaunayResult built = triangulate_points(points, effective.delaunay, execution);
+  const ReconstructInput input{built.triangulation, points, effective};
+  SurfaceResult made = begin_result(input);
+  ReconstructCounters& counters = made.result.counters;
+  counters.delaunay = built.counters;
+  FoundSurface found = find_surface(input, counters, nullptr, execution);
+  run_step(execution, "cocone/mesh", [&](const Execution& nested) {
+    enter_mesh(input, found,
+               surface_of(input.triangulation, std::exchange(found.surface.triangles, {}),
+                          found.surface.halves, nested),
+               made, nested);
+    counters.non_orientable_components = orient_surface(made.result.mesh).non_orientable;
+    canonicalize_triangles(made.result.mesh, nested);
+  });
+  verify_result(input, false, made, execution);
+  return std::move(made.result);
 }
 
 }  // namespace cocoon

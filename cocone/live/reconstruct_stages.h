@@ -1,5 +1,5 @@
-// Reconstruction for those who go on from its stages: what these have found is handed on, and what
-// is known of it beforehand taken over.
+// What those who go on from the stages of a reconstruction get of them, and what they know
+// beforehand (steps/reconstruct_and_keep.h).
 #pragma once
 
 #include <cstddef>
@@ -32,8 +32,8 @@ struct CoconeSurface {
   FirstWalk first_walk = FirstWalk::at_once;
   // Its facets linked, and the candidates off it; of reconstruct_tight_from only, and if anything
   // was marked.
-  LinkedFacets triangles;
-  RemovedFacets rest;
+  LinkedFacets triangles = {};
+  RemovedFacets rest = {};
 };
 
 // What the stages found on the way, for those who go on from it: at first sight, even if the result
@@ -53,13 +53,6 @@ struct ReconstructStages {
   CellMarks marks;
   IdVector<CellId, std::uint8_t> out;
 };
-
-// As reconstruct_tight_with_labels of the triangulation, and fills in `stages`.
-ReconstructResult reconstruct_tight_with_labels(Triangulation triangulation, Points points,
-                                                const KnownLabelsSource& known,
-                                                const ReconstructOptions& options,
-                                                const Execution& execution,
-                                                ReconstructStages& stages);
 
 // What the stages up to pruning would find, if it is known beforehand (live_candidates.h).
 struct KnownCandidates {
@@ -89,14 +82,5 @@ struct LiveStages {
   Marking mark;
   BodyTaker take_body;
 };
-
-// As reconstruct_tight_with_labels of the triangulation, without these stages; fills in `surface`.
-// If live.take_body takes the body the result has neither mesh nor anything by vertex.
-ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
-                                         KnownCandidates candidates, Points points,
-                                         const KnownLabelsSource& known,
-                                         const ReconstructOptions& options,
-                                         const Execution& execution, const LiveStages& live,
-                                         CoconeSurface& surface);
 
 }  // namespace cocoon

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "cocone/live/live_candidates.h"
-#include "cocone/live/reconstruct_stages.h"
 #include "cocone/reconstruct.h"
+#include "cocone/steps/reconstruct_and_keep.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "geom/random/random.h"
@@ -17,8 +17,7 @@ class LiveSamples {
  public:
   explicit LiveSamples(const std::vector<Point>& points) {
     ReconstructStages stages;
-    reconstruct_tight_with_labels(cocoon::delaunay(points).triangulation, points, {}, {}, {},
-                                  stages);
+    reconstruct_and_keep(cocoon::delaunay(points).triangulation, points, {}, {}, {}, stages);
     delaunay_ = DynamicDelaunay(std::move(stages.triangulation));
     candidates_.start(delaunay_, stages);
     candidates_.renumber(delaunay_.close_gaps(), delaunay_);

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "cocone/facets/cell_order.h"
-#include "cocone/live/reconstruct_stages.h"
 #include "cocone/reconstruct.h"
+#include "cocone/steps/reconstruct_and_keep.h"
 #include "delaunay/delaunay.h"
 #include "geom/random/random.h"
 #include "io/mesh_file.h"
@@ -58,8 +58,7 @@ Knowledge from_scratch(const std::vector<Point>& points, const ReconstructOption
                        ReconstructCounters& counters, ReconstructStages& stages) {
   Triangulation triangulation = delaunay(points).triangulation;
   counters =
-      reconstruct_tight_with_labels(std::move(triangulation), points, {}, options, {}, stages)
-          .counters;
+      reconstruct_and_keep(std::move(triangulation), points, {}, options, {}, stages).counters;
   Knowledge known;
   const Triangulation& t = stages.triangulation;
   for (const VertexId v : t.vertices()) {
