@@ -12,6 +12,7 @@
 #include "cocone/kept/compact_delaunay.h"
 #include "cocone/kept/kept_labels.h"
 #include "cocone/kept/kept_stages.h"
+#include "cocone/kept/points_at_vertices.h"
 #include "cocone/live/judge_points.h"
 #include "cocone/live/known_candidates.h"
 #include "cocone/live/lent_delaunay.h"
@@ -50,8 +51,7 @@ struct DynamicTightCocone::State {
   CertifiedSurface certified;
   KeptStages kept;                              // while the surface is not certain
   std::optional<KeptBody::Change> body_change;  // what the last stages told instead of a mesh
-  // The way back from vertex_of_point, if each vertex has one point; empty: not known.
-  IdVector<VertexId, PointId> point_of_vertex;
+  PointsAtVertices points_at;                   // the way back from vertex_of_point
 
   bool is_live() const { return delaunay.num_vertices() > 0; }
   void take(std::size_t count, Triangulation triangulation);
@@ -85,8 +85,6 @@ struct DynamicTightCocone::State {
                            bool may_edit = false);
   Edited edit_body(Points points, const ListEdit<PointId>& change, PointStep step,
                    const DelaunayChange& done, const Execution& execution, const OldSurface& old);
-  void list_points_of_vertices(PointId first);
-  void forget_points(std::span<const VertexId> removed);
   CertainView view() const { return {delaunay, vertex_of_point, candidates, certified}; }
   SurfaceEdit surface_edit(const ListEdit<PointId>& points, std::span<const VertexId> touched,
                            std::span<const std::array<VertexId, 3>> triangles);
@@ -134,7 +132,7 @@ void DynamicTightCocone::State::forget_surface() {
   candidates.clear();
   certified.clear();
   kept.clear();
-  point_of_vertex.clear();
+  points_at.clear();
 }
 
 // Changes the triangulation, and follows the surface as far as it stays certain. The step, which
@@ -224,10 +222,7 @@ void DynamicTightCocone::State::close_gaps(PointStep& step) {
   Renumbering renumbering = delaunay.close_gaps();
   candidates.renumber(renumbering, delaunay);
   kept.renumber(renumbering, delaunay);
-  if (!point_of_vertex.empty()) {
-    for (const auto& [from, to] : renumbering.vertices) point_of_vertex[to] = point_of_vertex[from];
-    point_of_vertex.resize(delaunay.num_vertex_slots());
-  }
+  points_at.renumber(renumbering.vertices, delaunay.num_vertex_slots());
   rename_vertices(renumbering.vertices, step.slots, vertex_of_point.span());
   step.moved = std::move(renumbering.vertices);
 }
@@ -308,24 +303,6 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points, con
   return result;
 }
 
-// Precondition: each vertex has one point.
-void DynamicTightCocone::State::list_points_of_vertices(PointId first) {
-  point_of_vertex.resize(delaunay.num_vertex_slots());
-  constexpr std::size_t ahead = 16;  // vertices come in any order: asked for early
-  for (PointId p = first; p.index() < vertex_of_point.size(); ++p) {
-    if (p.index() + ahead < vertex_of_point.size()) {
-      __builtin_prefetch(&point_of_vertex[vertex_of_point[PointId(p.index() + ahead)]], 1);
-    }
-    point_of_vertex[vertex_of_point[p]] = p;
-  }
-}
-
-// Slots of removed vertices may hold new ones.
-void DynamicTightCocone::State::forget_points(std::span<const VertexId> removed) {
-  for (const VertexId v : removed) point_of_vertex[v] = PointId();
-  point_of_vertex.resize(delaunay.num_vertex_slots());
-}
-
 // After a change from one smooth mesh to another one, once the points of what went are forgotten.
 DynamicTightCocone::SurfaceEdit DynamicTightCocone::State::surface_edit(
     const ListEdit<PointId>& points, std::span<const VertexId> touched,
@@ -333,14 +310,14 @@ DynamicTightCocone::SurfaceEdit DynamicTightCocone::State::surface_edit(
   SurfaceEdit edit;
   for (const PointId p : points.removed) edit.touched.push_back(VertexId(p.value));
   for (const VertexId v : touched) {
-    if (!point_of_vertex[v].is_none()) edit.touched.push_back(VertexId(point_of_vertex[v].value));
+    if (!points_at[v].is_none()) edit.touched.push_back(VertexId(points_at[v].value));
   }
   make_set(edit.touched);
   PointId first(vertex_of_point.size());
   if (!points.removed.empty()) first = std::min(first, points.removed.front());
   if (!points.added.empty()) first = std::min(first, points.added.front());
-  list_points_of_vertices(first);
-  const auto number = [&](VertexId v) { return VertexId(point_of_vertex[v].value); };
+  points_at.list(vertex_of_point, first, delaunay.num_vertex_slots());
+  const auto number = [&](VertexId v) { return VertexId(points_at[v].value); };
   for (const auto& [a, b, c] : triangles) {
     edit.triangles.push_back(smallest_first({number(a), number(b), number(c)}));
   }
@@ -354,16 +331,16 @@ DynamicTightCocone::Edited DynamicTightCocone::State::edit_body(
     const Execution& execution, const OldSurface& old) {
   const bool may_edit = is_smooth(points.size());
   if (may_edit) {
-    forget_points(step.removed);
+    points_at.forget(step.removed, delaunay.num_vertex_slots());
   } else {
-    point_of_vertex.clear();
+    points_at.clear();
   }
   body_change.reset();
   Edited edited{finish(points, std::move(step), done, execution, old, may_edit), {}};
   if (body_change) {
     edited.edit = surface_edit(change, body_change->touched, body_change->triangles);
   } else {
-    point_of_vertex.clear();
+    points_at.clear();
   }
   return edited;
 }
@@ -433,7 +410,7 @@ ReconstructResult DynamicTightCocone::replace(Points points, std::span<const Poi
   require_comparable_sizes(points, execution);
   PointStep step = plan_step(state.delaunay, state.vertex_of_point, points, old_position);
   const DelaunayChange change = state.carry_out(points, step, execution);
-  state.point_of_vertex.clear();
+  state.points_at.clear();
   return state.finish(points, std::move(step), change, execution, old);
 }
 
@@ -449,17 +426,19 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
   PointStep step = plan_step(state.delaunay, state.vertex_of_point, points, change);
   if (!keeps_scale(points, step.inserted_points))
     return {reconstruct(points, execution, old.labels), {}};
-  if (state.point_of_vertex.empty()) state.list_points_of_vertices(PointId(0));
+  if (!state.points_at.is_known()) {
+    state.points_at.list(state.vertex_of_point, PointId(0), state.delaunay.num_vertex_slots());
+  }
   const DelaunayChange done = state.carry_out(points, step, execution);
   if (done.inserted.size() != step.inserted.size()) {
     // A point that came is a vertex that was to go: it stays as it was, and no edit would see it.
-    state.point_of_vertex.clear();
+    state.points_at.clear();
     return {state.finish(points, std::move(step), done, execution, old), {}};
   }
   if (!state.is_certain(points.size())) {
     return state.edit_body(points, change, std::move(step), done, execution, old);
   }
-  state.forget_points(step.removed);
+  state.points_at.forget(step.removed, state.delaunay.num_vertex_slots());
   Edited edited{certain_counts(state.view(), points.size()),
                 state.surface_edit(change, state.certified.touched(),
                                    state.certified.triangles_at_touched())};
