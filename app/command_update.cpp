@@ -76,7 +76,7 @@ void reconstruct(Job& job, const ReconstructOptions& options, ModelInput& model,
       vertices_of(model.mesh.points.span(), initial);
   if (model.dense) {
     for (const PointId p : model.dense->point_of_vertex) {
-      input.vertex_of_file.push_back(vertex_of_point[p]);
+      input.vertex_of_file.push_back(p.is_none() ? VertexId() : vertex_of_point[p]);
     }
   } else {
     input.vertex_of_file = std::move(model.vertex_of_file);

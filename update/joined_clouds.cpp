@@ -81,6 +81,33 @@ bool overlap_each_other(Clouds& clouds, std::size_t a, std::size_t b, const Join
          clouds.share_near(b, a, reach) >= options.min_share;
 }
 
+// Whether all that a member of joined clouds shows is shown by others that are much finer.
+bool is_covered(Clouds& clouds, std::size_t c, std::span<const std::size_t> members,
+                const JoinOptions& options) {
+  std::vector<std::size_t> finer;
+  for (const std::size_t other : members) {
+    if (options.coarser * clouds[other].spacing < clouds[c].spacing) finer.push_back(other);
+  }
+  const std::vector<Point>& points = clouds[c].points;
+  const auto covered = std::count_if(points.begin(), points.end(), [&](const Point& p) {
+    return std::any_of(finer.begin(), finer.end(), [&](std::size_t other) {
+      return clouds[other].tree.any_near(p, options.reach * clouds[other].spacing);
+    });
+  });
+  return static_cast<double>(covered) >=
+         options.min_covered_share * static_cast<double>(points.size());
+}
+
+double spacing_of_coarsest(Clouds& clouds, std::span<const std::size_t> members,
+                           const JoinOptions& options) {
+  double spacing = 0;
+  for (const std::size_t c : members) {
+    if (clouds[c].spacing <= spacing || is_covered(clouds, c, members, options)) continue;
+    spacing = clouds[c].spacing;
+  }
+  return spacing;
+}
+
 }  // namespace
 
 std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
@@ -109,8 +136,7 @@ std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
   if (joined.size() == clouds.size()) return {};
   for (JoinedCloud& cloud : joined) {
     if (cloud.members.size() == 1) continue;
-    double spacing = 0;
-    for (const std::size_t c : cloud.members) spacing = std::max(spacing, samples[c].spacing);
+    const double spacing = spacing_of_coarsest(samples, cloud.members, options);
     const std::vector<Point> all = samples_of(cloud, clouds);
     cloud.sheet = thin_points(all, options.thinning * spacing);
     cloud.different = distinct_points(all).size();

@@ -13,7 +13,8 @@
 
 namespace cocoon {
 
-// Distances in those between nearest samples, of two clouds the larger one.
+// Distances in those between nearest samples, of two clouds the larger one, of joined ones that of
+// the coarsest.
 struct JoinOptions {
   // Clouds overlap each other if at least this share of the samples of one of them is close to
   // samples of the other.
@@ -22,6 +23,10 @@ struct JoinOptions {
   double reach = 1;
   // Smallest distance between the samples of which the surface of joined clouds is made.
   double thinning = 0.7;
+  // A cloud that is more than so many times coarser than others, and has at least this share of its
+  // samples on them, shows nothing that they do not: of joined clouds it is not the coarsest.
+  double coarser = 2;
+  double min_covered_share = 0.9;
 };
 
 struct JoinedCloud {

@@ -122,8 +122,11 @@ void require_options(const char* stage, const IslandOptions& options) {
 }
 
 void require_options(const char* stage, const JoinOptions& options) {
-  require_amounts(stage, {{"join.reach", options.reach}, {"join.thinning", options.thinning}});
-  require_shares(stage, {{"join.min_share", options.min_share}});
+  require_amounts(stage, {{"join.reach", options.reach},
+                          {"join.thinning", options.thinning},
+                          {"join.coarser", options.coarser}});
+  require_shares(stage, {{"join.min_share", options.min_share},
+                         {"join.min_covered_share", options.min_covered_share}});
 }
 
 void require_options(const char* stage, const OrientOutwardOptions& options) {
@@ -235,6 +238,7 @@ void require_options(const char* stage, const UnscannedOptions& options) {
 void require_options(const char* stage, const CrowdedOptions& options) {
   require_amounts(stage, {{"crowded.distance", options.distance},
                           {"crowded.min_thickness", options.min_thickness},
+                          {"crowded.max_coarseness", options.max_coarseness},
                           {"crowded.max_width", options.max_width}});
   require_shares(stage, {{"crowded.min_share", options.min_share}});
 }

@@ -18,12 +18,17 @@ namespace cocoon::app {
 
 namespace {
 
-// Vertices that no triangle uses, nor another one at their place.
-std::size_t unused_places(const TriangleMesh& mesh) {
+IdVector<VertexId, std::uint8_t> unused_vertices(const TriangleMesh& mesh) {
   IdVector<VertexId, std::uint8_t> is_unused(mesh.points.size(), 1);
   for (const Triangle& triangle : mesh.triangles) {
     for (const VertexId v : triangle) is_unused[v] = 0;
   }
+  return is_unused;
+}
+
+// Vertices that no triangle uses, nor another one at their place.
+std::size_t unused_places(const TriangleMesh& mesh) {
+  IdVector<VertexId, std::uint8_t> is_unused = unused_vertices(mesh);
   const auto count = [&] {
     return static_cast<std::size_t>(
         std::count(is_unused.begin(), is_unused.end(), std::uint8_t{1}));
@@ -91,6 +96,37 @@ void warn_of_unused_vertices(Job& job, const std::string& path, const std::strin
       "{}: {} in no triangle, and left out; if they are samples of the surface, reconstruct it "
       "from its points, or give them as a cloud",
       path, counted(unused, "vertex is", "vertices are")));
+}
+
+void leave_out_unused_vertices(ModelFile& model) {
+  TriangleMesh& mesh = model.mesh;
+  const IdVector<VertexId, std::uint8_t> is_unused = unused_vertices(mesh);
+  if (std::find(is_unused.begin(), is_unused.end(), std::uint8_t{1}) == is_unused.end()) return;
+  IdVector<VertexId, VertexId> left(mesh.points.size());
+  IdVector<VertexId, Point> points;
+  for (const VertexId v : mesh.points.ids()) {
+    if (is_unused[v] != 0) continue;
+    left[v] = VertexId(points.size());
+    points.push_back(mesh.points[v]);
+  }
+  for (Triangle& triangle : mesh.triangles) {
+    for (VertexId& v : triangle) v = left[v];
+  }
+  const std::vector<RepeatedPoint> repeated = repeated_points(mesh.points.span());
+  for (const RepeatedPoint& r : repeated) {
+    VertexId& first = left[VertexId(r.first)];
+    if (first.is_none()) first = left[VertexId(r.point)];
+  }
+  for (const RepeatedPoint& r : repeated) {
+    VertexId& other = left[VertexId(r.point)];
+    if (other.is_none()) other = left[VertexId(r.first)];
+  }
+  mesh.points = std::move(points);
+  if (model.vertex_of.empty()) {
+    model.vertex_of = std::move(left);
+  } else {
+    for (VertexId& v : model.vertex_of) v = v.is_none() ? v : left[v];
+  }
 }
 
 void orient_model(Job& job, const std::string& path, const std::string& section,

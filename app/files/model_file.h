@@ -26,11 +26,14 @@ ModelFile read_model(Job& job, const std::string& path, const std::string& secti
                      VertexProperties* properties = nullptr);
 
 // Warns of vertices that no triangle of the mesh read uses, nor another vertex at their place,
-// since what the mesh becomes has none of them; the section's "unused_vertices" counts. (With
-// --densify such vertices are samples as all others.) Complexity: O(v + t), and O(v log v) if there
-// are any.
+// since what the mesh becomes has none of them; the section's "unused_vertices" counts.
+// Complexity: O(v + t), and O(v log v) if there are any.
 void warn_of_unused_vertices(Job& job, const std::string& path, const std::string& section,
                              const TriangleMesh& mesh);
+
+// Leaves out vertices that no triangle uses. In `vertex_of` those at the place of another one that
+// is used become that one, the others none. Complexity: the same.
+void leave_out_unused_vertices(ModelFile& model);
 
 // Turns the mesh read so that it faces outward (orient_outward()). The summary says so, and the
 // section's "turned_triangles" counts. Complexity: O(v).

@@ -26,12 +26,13 @@ NoiseFilter noise_filter_of_update(bool filtered) {
 namespace {
 
 std::string note_of_crowded(const CrowdedSamples& found) {
+  const bool in_layers = found.in_layers > 0;
   return fmt::format(
       "{} of {} samples lie closer to others than {:.2g}, as in {}: if handles or parts of the "
-      "surface are wrong, try --thin {:.2g}",
+      "surface are wrong, try {}--thin {:.2g}",
       found.closer, found.of, found.distance,
-      found.in_layers > 0 ? "layers of views that are out of register"
-                          : "a scan finer than the model",
+      in_layers ? "layers of views that are out of register" : "a scan finer than the model",
+      in_layers ? "" : "--densify where the model is a mesh with large triangles, else ",
       found.distance);
 }
 

@@ -14,13 +14,15 @@
 namespace cocoon::app {
 
 struct DensifiedMesh {
-  std::vector<Point> points;                    // vertices of the mesh, then samples between them
-  IdVector<VertexId, PointId> point_of_vertex;  // of each vertex of the file, which of them it is
+  std::vector<Point> points;  // vertices of the mesh, then samples between them
+  // Of each vertex of the file, which of them it is; none if no triangle uses it.
+  IdVector<VertexId, PointId> point_of_vertex;
   KnownLabelsSource labels;  // where the mesh has inside and outside; empty if it is not closed
   MeshReport certificate;    // of the mesh
 };
 
-// Reads a mesh (read_model), as stage "read", and adds samples about `spacing` apart, as stage
+// Reads a mesh (read_model), as stage "read", leaves out vertices that no triangle uses, with a
+// warning, and adds samples about `spacing` apart, as stage
 // "dense_samples". Of a closed mesh more are added, as stage "conforming_samples", if the surface
 // of those has another Euler number, other parts or other contacts than the mesh: to find out they
 // are reconstructed. How many goes to the report and the summary. Warns of a mesh that is not

@@ -180,6 +180,37 @@ TEST(Densify, OfAModelIsPartOfItsUpdate) {
   EXPECT_NE(other.error.find("another model"), std::string::npos) << other.error;
 }
 
+// They would be spikes.
+TEST(Densify, VerticesInNoTriangleAreNoSamples) {
+  const TemporaryFolder folder;
+  std::string with_two = gear();
+  with_two.replace(with_two.find("42 80"), 5, "44 80");
+  const std::size_t facets = with_two.find("3 40 1 0");
+  ASSERT_NE(facets, std::string::npos);
+  with_two.insert(facets, point_line(0, 0, height + 1) + point_line(2.5, 0, -1));
+  std::string error;
+  const auto dense = [&](const std::string& model, std::size_t warnings) {
+    const std::string mesh = (folder / "dense.ply").string();
+    const Json report = report_of(
+        {"reconstruct", folder.write("gear.off", model), "-o", mesh, "--densify", "0.2"}, error);
+    EXPECT_EQ(report["warnings"].size(), warnings);
+    return read_mesh(mesh);
+  };
+  EXPECT_EQ(dense(with_two, 1), dense(gear(), 0));
+  const std::string map = (folder / "map.txt").string();
+  const Json report =
+      report_of({"update", folder.write("gear.off", with_two), folder.write("knob.xyz", knob()),
+                 "-o", (folder / "new.ply").string(), "--densify", "0.2", "--map", map},
+                error);
+  EXPECT_EQ(report["input"]["unused_vertices"], 2);
+  std::ifstream lines(map);
+  std::vector<std::string> places{std::istream_iterator<std::string>(lines), {}};
+  ASSERT_EQ(places.size(), 44U);
+  EXPECT_NE(places[0], "-1");  // on the rim, which stays
+  EXPECT_EQ(places[42], "-1");
+  EXPECT_EQ(places[43], "-1");
+}
+
 TEST(Densify, NeedsNoNoiseFilterAndNoSessionThatHasAModel) {
   ProgramRun run = run_program(
       {"reconstruct", "part.off", "-o", "m.ply", "--densify", "1", "--noise", "robust"});

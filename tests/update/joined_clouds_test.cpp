@@ -71,6 +71,20 @@ TEST(JoinedClouds, AreThinnedByTheLargestSpacing) {
   }
 }
 
+// A few samples of a scan that is there already make it no coarser; nor does a coarse scan of the
+// same place. One that reaches beyond does.
+TEST(JoinedClouds, OneThatLiesOnFinerOnesIsNotTheCoarsest) {
+  const std::vector<Point> fine = square({0, 0, 0});
+  const std::vector<Point> some = {fine[5], fine[44], fine[77]};
+  const std::size_t all = join_clouds(Clouds{fine, some}).front().sheet.size();
+  EXPECT_EQ(all, fine.size());
+  EXPECT_EQ(join_clouds(Clouds{some, fine}).front().sheet.size(), all);
+  EXPECT_LT(join_clouds(Clouds{fine, some}, {.coarser = 100}).front().sheet.size(), all / 2);
+  std::vector<Point> beyond = some;
+  beyond.push_back({30, 4, 0});
+  EXPECT_LT(join_clouds(Clouds{fine, beyond}).front().sheet.size(), all / 2);
+}
+
 // The sheet is without equal samples even where it takes all others.
 TEST(JoinedClouds, WithoutThinningTheSheetHasDifferentSamples) {
   const Clouds clouds = {square({0, 0, 0}), square({5, 0, 0})};

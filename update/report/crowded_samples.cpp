@@ -33,6 +33,20 @@ bool are_many(std::size_t closer, std::size_t of, const CrowdedOptions& options)
   return closer > 0 && static_cast<double>(closer) >= options.min_share * static_cast<double>(of);
 }
 
+struct Thickness {
+  double share = 0;
+  double length = 0;
+};
+
+// `apart`: those that keep `distance`; `few`: of few_of_layers().
+Thickness thickness_of(Points samples, std::span<const PointId> apart, double distance,
+                       const FewSamples& few, const Execution& execution) {
+  const bool are_few = few.distance > 0 && few.distance < distance;
+  const double reach = are_few ? few.distance : distance;
+  const double share = layer_thickness(samples, are_few ? few.kept : apart, reach, execution);
+  return {share, share * reach};
+}
+
 // Sets the flags of its members' samples but for those apart, which are increasing.
 void flag_all_but(std::span<const PointId> apart, const JoinedCloud& cloud,
                   std::vector<SampleFlags>& flags) {
@@ -64,11 +78,14 @@ CrowdedSamples crowded_samples(const ModelIndex& model, std::span<const VertexId
     const std::vector<PointId> apart = thin_points(samples, found.distance);
     const std::size_t closer = samples.size() - apart.size();
     if (!are_many(closer, samples.size(), options)) continue;
-    const double thickness = layer_thickness(samples, apart, found.distance, execution);
+    const FewSamples few = few_of_layers(samples, 1);
+    if (found.distance > options.max_coarseness * few.distance) continue;
+    const Thickness thickness = thickness_of(samples, apart, found.distance, few, execution);
     found.closer += closer;
     found.of += samples.size();
-    found.thickness = std::max(found.thickness, thickness);
-    if (thickness < options.min_thickness) continue;
+    found.thickness = std::max(found.thickness, thickness.share);
+    found.depth = std::max(found.depth, thickness.length);
+    if (thickness.share < options.min_thickness) continue;
     found.in_layers += closer;
     flag_all_but(apart, cloud, found.is_in_layers);
   }

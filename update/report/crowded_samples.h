@@ -20,8 +20,13 @@ struct CrowdedOptions {
   // Of all samples of a cloud, fewer mean nothing.
   double min_share = 0.25;
   // Samples lie in layers if they are as thick (layer_thickness) around those that keep the
-  // distance. Rims that are refused ask the same of all samples (LayerOptions::when_refused).
+  // distance, or that to the eighth neighbor (few_of_layers), if that is less: farther apart, two
+  // walls of a part lie over each other. Rims that are refused ask the same of all samples
+  // (LayerOptions::when_refused).
   double min_thickness = 0.13;
+  // Clouds are not looked at where the distance is longer than so many times that to the eighth
+  // neighbor: the edges are those of a mesh whose vertices are no samples, as of CAD.
+  double max_coarseness = 3.5;
   // Whether a surface without those that crowd in layers is tried, too.
   bool leave_out = true;
   // What layers make, in times their thickness: handles with a way around or through them that is
@@ -34,7 +39,8 @@ struct CrowdedSamples {
   double distance = 0;
   std::size_t closer = 0;     // would have to go so that the others keep it (thin_points)
   std::size_t of = 0;         // samples of these clouds in all
-  double thickness = 0;       // of the thickest of them
+  double thickness = 0;       // of the thickest of them, as a share of where it was asked
+  double depth = 0;           // the same as a length; of all the largest
   std::size_t in_layers = 0;  // of those that are closer
   std::vector<SampleFlags> is_in_layers;  // for each cloud given: is it one of these
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "geom/arrays/median.h"
 #include "geom/mesh/triangles_by_area.h"
 #include "geom/search/closest_facet.h"
 #include "update/cloud/scanned_places.h"
@@ -26,6 +25,29 @@ LostTriangles lost_triangles(const TriangleMesh& model,
   return result;
 }
 
+namespace {
+
+// A triangle by its size.
+struct Sized {
+  double longest = 0;
+  double area = 0;
+};
+
+// Half of the area is in triangles whose longest edge is at most this long.
+double median_by_area(std::vector<Sized> triangles, double area) {
+  std::sort(triangles.begin(), triangles.end(), [](const Sized& a, const Sized& b) {
+    return a.longest != b.longest ? a.longest < b.longest : a.area < b.area;
+  });
+  double below = 0;
+  for (const Sized& triangle : triangles) {
+    below += triangle.area;
+    if (below >= 0.5 * area) return triangle.longest;
+  }
+  return triangles.empty() ? 0 : triangles.back().longest;
+}
+
+}  // namespace
+
 AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const TriangleId> triangles,
                                  const TriangleMesh& updated, std::span<const Scan> scans,
                                  const AstrayOptions& options) {
@@ -34,7 +56,7 @@ AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const Tria
   ScannedPlaces scanned;
   for (const Scan& scan : scans) scanned.add(scan.samples, options.reach * scan.spacing);
   AstrayTriangles result;
-  std::vector<double> longest_edges;
+  std::vector<Sized> found;
   double largest = 0;
   for (const TriangleId t : triangles) {
     const auto [a, b, c] = corners_of(model, t);
@@ -46,13 +68,13 @@ AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const Tria
     const double area = area_of(model, t);
     ++result.count;
     result.area += area;
-    longest_edges.push_back(longest);
+    found.push_back({longest, area});
     if (area > largest) {
       largest = area;
       result.largest = t;
     }
   }
-  result.median_longest_edge = median(std::move(longest_edges));
+  result.median_longest_edge = median_by_area(std::move(found), result.area);
   return result;
 }
 

@@ -45,7 +45,7 @@ struct AstrayOptions {
 struct AstrayTriangles {
   std::size_t count = 0;
   double area = 0;                 // in squares of the coordinates' unit
-  double median_longest_edge = 0;  // of each triangle its longest one; the median of these
+  double median_longest_edge = 0;  // of each triangle its longest one; the median by area
   TriangleId largest = {};         // by area; of several the first
 };
 

@@ -111,8 +111,7 @@ struct Features {
 // `triangles`: those of attempt().
 Features features(const UpdateRun& run, std::span<const Triangle> triangles) {
   const UpdateResult& result = run.result;
-  const double max_width =
-      run.options.crowded.max_width * result.crowded.thickness * result.crowded.distance;
+  const double max_width = run.options.crowded.max_width * result.crowded.depth;
   Features found;
   for (const double extent : result.loose_parts.extents) {
     ++(extent > max_width ? found.large : found.small);

@@ -62,7 +62,29 @@ TEST(CrowdedSamples, InLayersAreFlagged) {
   EXPECT_EQ(flagged, found.in_layers);
   EXPECT_EQ(found.is_in_layers[0][PointId(0)], 0);  // lexicographically before those above it
   EXPECT_EQ(found.is_in_layers[2][PointId(0)], 1);
-  EXPECT_EQ(ScannedMiddle(0.4, 3).found({.min_thickness = 0.3}).in_layers, 0U);
+  EXPECT_EQ(ScannedMiddle(0.4, 3).found({.min_thickness = 0.5}).in_layers, 0U);
+}
+
+// Two walls, half as far apart as the edges of the model are long, are no layers where samples lie
+// closer together than the walls; and the edges of a CAD mesh tell nothing.
+TEST(CrowdedSamples, WallsAreNoLayers) {
+  const auto of_walls = [](double spacing, const CrowdedOptions& options) {
+    ScannedMiddle scene(spacing, 1);
+    const std::size_t size = scene.clouds[0].size();
+    for (std::size_t k = 0; k < size; ++k) {
+      const Point p = scene.clouds[0][k];
+      scene.clouds[0].push_back({p.x, p.y, 0.5});
+    }
+    return scene.found(options);
+  };
+  const CrowdedSamples found = of_walls(0.2, {});
+  EXPECT_GT(found.closer, 100U);
+  EXPECT_EQ(found.thickness, 0);
+  EXPECT_EQ(found.depth, 0);
+  EXPECT_EQ(found.in_layers, 0U);
+  EXPECT_GT(of_walls(0.45, {}).in_layers, 0U);  // those are as close as samples
+  EXPECT_EQ(of_walls(0.2, {.max_coarseness = 1}).closer, 0U);
+  EXPECT_EQ(of_walls(0.05, {}).closer, 0U);
 }
 
 // A finer scan elsewhere is no layer because of layers here.

@@ -83,6 +83,21 @@ TEST(LostTriangles, AnotherDiagonalIsNotAstray) {
   EXPECT_EQ(astray_triangles(model, both, updated, {}, {.tolerance = 0.5}).area, 0);
 }
 
+// Of a CAD mesh most triangles may be small, and most of its surface is in a few large ones.
+TEST(LostTriangles, TheMedianLengthIsByArea) {
+  TriangleMesh model = mesh_of(9, {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
+  const Point corners[] = {{0, 0, 0},  {1, 0, 0},  {0, 1, 0},  {20, 0, 0}, {30, 0, 0},
+                           {20, 9, 0}, {50, 0, 0}, {51, 0, 0}, {50, 1, 0}};
+  std::copy(std::begin(corners), std::end(corners), model.points.begin());
+  TriangleMesh updated = model;
+  for (Point& p : updated.points) p.z = 5;
+  std::vector<TriangleId> all;
+  for (const TriangleId t : model.triangles.ids()) all.push_back(t);
+  const AstrayTriangles astray = astray_triangles(model, all, updated, {});
+  EXPECT_EQ(astray.count, 3U);
+  EXPECT_NEAR(astray.median_longest_edge, std::hypot(10, 9), 1e-12);
+}
+
 // Where something was scanned the surface may be another one.
 TEST(LostTriangles, ScannedPlacesAreNotAstray) {
   TriangleMesh model = mesh_of(6, {{0, 1, 2}, {3, 4, 5}});
