@@ -261,7 +261,9 @@ void settle_model(const CLI::App& command, UpdateArguments& update) {
     constexpr std::array own = {"--alpha", "--cocone-angle", "--sharp-angle", "--mode"};
     if (std::any_of(own.begin(), own.end(), is_given)) {
       throw UsageError(
-          "a session has parameters of its own: with --session only --rho may be given");
+          "a session has the parameters that its surface was made with: leave out --alpha, "
+          "--cocone-angle, --sharp-angle and --mode, or give them to the reconstruct that begins "
+          "the session");
     }
   } else if (update.clouds.empty()) {
     throw UsageError("CLOUD is required (see cocoon update --help)");

@@ -53,6 +53,7 @@ class Watch {
         job, {{arguments.mesh, mesh_extensions}, {.path = session_.file(), .is_session = true}},
         {arguments.model});
     require_folder(arguments.folder);
+    folder_.require_readable();
     constexpr std::size_t most_notes = std::numeric_limits<std::uint32_t>::max();
     require_possible_name(pending_cloud_file(session_.file(), most_notes));
   }

@@ -21,7 +21,7 @@ Job::Job(const std::string& command, const SharedArguments& shared)
 }
 
 void Job::say_line(const std::string& line) {
-  if (is_silent_) return;
+  if (is_silent_ || is_output_taken_) return;
   const std::string shown = without_control_bytes(line) + "\n";
   if (lines_wait_) {
     waiting_lines_ += shown;
@@ -33,7 +33,11 @@ void Job::say_line(const std::string& line) {
 
 void Job::warn(const std::string& warning) {
   warnings_.push_back(warning);
-  if (unseen_warning_.empty() && (is_silent_ || lines_wait_)) unseen_warning_ = warning;
+  const bool is_unseen = is_silent_ || is_output_taken_ || lines_wait_;
+  if (unseen_warning_.empty() && is_unseen) unseen_warning_ = warning;
+  if (is_output_taken_ && !is_silent_) {
+    waiting_warnings_ += "warning: " + without_control_bytes(warning) + "\n";
+  }
   say("warning: {}", warning);
 }
 
@@ -102,6 +106,7 @@ void Job::finish(const std::string& copy_of_report) {
   }
   if (!copy_of_report.empty()) write_file(copy_of_report, text, outputs());
   print_output(waiting_lines_);
+  if (is_error_seen()) print_error(waiting_warnings_);
   flush_output();
   if (!is_silent_) unseen_warning_.clear();
   outputs_.commit();

@@ -25,8 +25,9 @@ class Job {
   Execution execution() { return {shared_.threads, &clock_}; }
   const StageClock& clock() const { return clock_; }
   JsonReport& report() { return report_; }
-  // An output goes to standard output: nothing else may, from now on.
-  void keep_standard_output() { is_silent_ = true; }
+  // An output goes to standard output: nothing else may, from now on. Warnings go to standard error
+  // then, if that is a terminal, when the outputs are complete (finish).
+  void keep_standard_output() { is_output_taken_ = true; }
   // One line of the summary for people, on standard output. Silent with --quiet, and when an output
   // goes there.
   template <class... Values>
@@ -81,8 +82,10 @@ class Job {
   std::set<std::string> rounded_;  // files that were warned of
   std::string unseen_warning_;
   bool is_silent_;
+  bool is_output_taken_ = false;
   bool lines_wait_ = false;
   std::string waiting_lines_;
+  std::string waiting_warnings_;  // for standard error
 };
 
 // Highest amount of memory that the program has used so far, in bytes.

@@ -94,6 +94,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& target) : target_(target) {
   if (exists && S_ISDIR(status.st_mode)) require(EISDIR);
   // Whoever opened it may have more in that file, and goes on writing to it.
   if (const int descriptor = own_descriptor(target_); descriptor >= 0) {
+    is_standard_output_ = descriptor == STDOUT_FILENO;
     direct_ = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
     if (direct_ < 0) require(errno);
     return;
@@ -124,7 +125,8 @@ void AtomicFile::write(std::string_view bytes) {
 }
 
 void AtomicFile::flush() {
-  require(direct_ >= 0 ? write_all(direct_, buffer_) : part_.write(buffer_));
+  const int error = direct_ >= 0 ? write_all(direct_, buffer_) : part_.write(buffer_);
+  if (error != EPIPE || !is_standard_output_) require(error);
   buffer_.clear();
 }
 

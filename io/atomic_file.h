@@ -81,7 +81,8 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  // Appends bytes; they are buffered. Throws FileError if the disk is full or fails.
+  // Appends bytes; they are buffered. Throws FileError if the disk is full or fails. That the
+  // reader of standard output has gone is no error: he has what he wanted.
   void write(std::string_view bytes);
 
   // As the caller named it.
@@ -108,6 +109,7 @@ class AtomicFile {
   std::filesystem::path target_;  // as the caller named it, for messages
   PartFile part_;
   int direct_ = -1;  // what is written directly: its descriptor
+  bool is_standard_output_ = false;
   std::string buffer_;
 };
 

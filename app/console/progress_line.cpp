@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "app/console/interrupt.h"
 #include "app/console/standard_streams.h"
@@ -34,7 +33,7 @@ void ProgressLine::clear() {
 }
 
 ProgressLine::Style progress_style(bool forced, bool quiet) {
-  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const bool terminal = is_error_seen();
   if (terminal && (forced || !quiet)) return ProgressLine::Style::terminal;
   return forced ? ProgressLine::Style::log : ProgressLine::Style::none;
 }

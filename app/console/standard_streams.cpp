@@ -62,4 +62,6 @@ void print_error(std::string_view text) {
   std::fflush(stderr);
 }
 
+bool is_error_seen() { return ::isatty(STDERR_FILENO) != 0; }
+
 }  // namespace cocoon::app

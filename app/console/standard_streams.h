@@ -29,4 +29,7 @@ void flush_output();
 // To standard error, at once; there is nobody to tell a failure.
 void print_error(std::string_view text);
 
+// Whether somebody looks at standard error: where it is no terminal, nothing but errors goes there.
+bool is_error_seen();
+
 }  // namespace cocoon::app

@@ -56,6 +56,14 @@ void FolderWatch::fail(const std::error_code& error) const {
   throw FileError(folder_.string() + ": cannot read this folder: " + error.message());
 }
 
+void FolderWatch::require_readable() const {
+  try {
+    list();
+  } catch (const FileError& error) {
+    throw FileError(error.what() + std::string("; check its permissions"));
+  }
+}
+
 FolderWatch::Place FolderWatch::place_now() const {
   struct stat status = {};
   if (::stat(folder_.c_str(), &status) != 0) fail(system_error(errno));

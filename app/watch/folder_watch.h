@@ -43,6 +43,8 @@ class FolderWatch {
   // Throws FileError if the folder cannot be listed to the end; then nothing is new, and nothing
   // forgotten.
   std::vector<CompleteFile> poll();
+  // Throws FileError if the folder cannot be listed now.
+  void require_readable() const;
   // Files seen that are not complete yet.
   std::size_t waiting() const { return waiting_; }
   // Files that the last poll found in the folder but could not look at, and why: one line; empty if

@@ -134,6 +134,27 @@ TEST_F(StandardStreams, MapAndPageMayGoThere) {
                "-: this is kept in a file; name one");
 }
 
+// Where standard error is no terminal nothing but errors goes there.
+TEST_F(StandardStreams, WhoReadsOnlyTheFirstLinesOfAMapGetsTheMesh) {
+  const std::string cap = folder_.write("cap.xyz", sphere_cap(6000, 0.8, 0.3) + "nan 0 0\n");
+  const Names command = {"update", folder_.write("model.xyz", whole_sphere(1500)),
+                         cap,      "-o",
+                         target_,  "--map",
+                         "-",      "--skip-non-finite"};
+  const ProgramRun run = run_program(command);
+  EXPECT_EQ(run.error, "");
+  EXPECT_EQ(run.out.find_first_not_of("-0123456789\n"), std::string::npos) << run.out;
+  const std::string expected = content_of(target_);
+  for (const char* output : {"--map", "--html"}) {
+    folder_.write("out.ply", "what was there before");
+    Names to_nobody = command;
+    to_nobody[5] = output;
+    const ProgramRun unread = run_program(to_nobody, [] { leave_unread(STDOUT_FILENO); });
+    EXPECT_EQ(unread.exit_code, 0) << unread.error;
+    EXPECT_TRUE(content_of(target_) == expected);
+  }
+}
+
 // With --quiet, and where an output goes to standard output.
 TEST_F(StandardStreams, AFailureTellsTheWarningThatNobodySaw) {
   const std::string flat = folder_.write("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\nnan 0 0\n");

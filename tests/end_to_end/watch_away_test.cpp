@@ -4,6 +4,7 @@
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <string>
 #include <sys/stat.h>
@@ -116,11 +117,14 @@ TEST(WatchAway, AFolderThatCannotBeReadAtFirstIsAnError) {
   if (!permissions_can_be_obeyed()) GTEST_SKIP() << "root cannot give up its rights here";
   const Watched watched;
   set_permissions(watched.drop, 0300);
+  std::ofstream(watched.mesh) << "of before";
   for (const std::vector<std::string>& arguments : {watched.arguments, watched.once()}) {
     const ProgramRun run = run_program(arguments, obey_permissions);
     EXPECT_EQ(run.exit_code, 1);
-    EXPECT_EQ(run.error,
-              "cocoon: " + watched.drop + ": cannot read this folder: Permission " + "denied\n");
+    EXPECT_EQ(run.error, "cocoon: " + watched.drop +
+                             ": cannot read this folder: Permission denied; check its "
+                             "permissions\n");
+    EXPECT_EQ(content_of(watched.mesh), "of before");
   }
   set_permissions(watched.drop, 0700);
 }
