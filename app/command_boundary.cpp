@@ -66,8 +66,8 @@ void add_boundary_samples(const ReconstructResult& surface, VertexProperties& pr
 
 void say_summary(Job& job, const ReconstructResult& surface, const MeshReport& certificate,
                  const BoundaryLoops& boundary, const std::string& mesh) {
-  job.say("{} points ({} duplicates, {} not on the surface)", surface.points, surface.duplicates,
-          surface.unused_points);
+  job.say("{} ({}, {} not on the surface)", counted(surface.points, "point"),
+          counted(surface.duplicates, "duplicate"), surface.unused_points);
   job.say_outputs("{} -> {}", surface_summary(certificate), mesh);
   job.say("{}, {} ({})", counted(surface.counters.boundary_samples, "boundary sample"),
           counted(boundary.loops.size(), "loop"), counted(boundary.pin_holes, "pin-hole"));
@@ -93,7 +93,8 @@ void tell_bridges(Job& job, const TriangleMesh& surface) {
   if (triangles == 0) return;
   job.report().set("boundary/bridging_triangles", triangles);
   job.say(
-      "note: {} with edges longer than {} spacings may bridge slots or holes; --trim {} leaves "
+      "note: {} with edges longer than {} times the spacing may bridge slots or holes; --trim {} "
+      "leaves "
       "them out, as an update does",
       counted(triangles, "triangle"), options.max_edge, options.max_edge);
 }

@@ -6,6 +6,7 @@
 #include "delaunay/canonical_order.h"
 #include "delaunay/check_delaunay.h"
 #include "delaunay/delaunay.h"
+#include "geom/messages/counted.h"
 #include "io/tetrahedra_file.h"
 
 namespace cocoon::app {
@@ -48,8 +49,10 @@ void run(const DelaunayArguments& arguments, Job& job) {
   report.set("delaunay/hull_triangles",
              triangulation.num_cells() - triangulation.num_finite_cells());
   if (thread_count(job.execution()) == 1) add_counters(report, result.counters);
-  job.say_outputs("{} points ({} duplicates), {} tetrahedra -> {}", triangulation.num_vertices(),
-                  triangulation.num_duplicates(), triangulation.num_finite_cells(), arguments.file);
+  job.say_outputs("{} ({}), {} -> {}", counted(triangulation.num_vertices(), "point"),
+                  counted(triangulation.num_duplicates(), "duplicate"),
+                  counted(triangulation.num_finite_cells(), "tetrahedron", "tetrahedra"),
+                  arguments.file);
   job.finish();
 }
 

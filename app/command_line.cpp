@@ -289,6 +289,7 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
                       "edge- and vertex-manifold)")
       ->delimiter(',')
       ->allow_extra_args(false)
+      ->transform(without_blanks())
       ->type_name("WORD,...");
   sub->add_flag("--self-intersections", check.self_intersections,
                 "Also look for triangles that cross");
@@ -312,7 +313,7 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
       ->type_name("DISTANCE");
   sub->add_option("-o,--output", compare.mesh,
                   "Write A with the distances of its vertices from B, as property and as colors "
-                  "(full at --tolerance, or at three times the RMS): .ply")
+                  "(full at --tolerance, or at three times the RMS of its vertices): .ply")
       ->type_name("MESH");
   add_writing(*sub, compare.writing);
 }

@@ -120,10 +120,12 @@ bool is_trim_left(const ReconstructArguments& arguments) {
 }
 
 std::vector<Finding> findings_of_surface(const SurfaceDoubts& doubts, std::size_t points,
-                                         const ReconstructArguments& arguments, std::size_t faces) {
+                                         const ReconstructArguments& arguments, std::size_t faces,
+                                         std::size_t trimmed) {
   const bool cavities_may_help = !arguments.cavities && arguments.parameters.mode != Mode::paper;
-  return findings_of(doubts, points, noise_filter_of(arguments, faces), {},
-                     {.cavities = cavities_may_help, .trim = is_trim_left(arguments)});
+  return findings_of(
+      doubts, points, noise_filter_of(arguments, faces), {},
+      {.cavities = cavities_may_help, .trim = is_trim_left(arguments), .trimmed_points = trimmed});
 }
 
 // `faces`: those of the file, if their vertices alone are the samples.
@@ -211,7 +213,8 @@ void run(const ReconstructArguments& arguments, Job& job) {
   });
   require_surface(job, arguments.points, result, points, options,
                   remedies_of(noise_filter_of(arguments, faces), faces));
-  if (arguments.trim) open_surface(job, arguments.points, *arguments.trim, result);
+  std::size_t trimmed = 0;
+  if (arguments.trim) trimmed = open_surface(job, arguments.points, *arguments.trim, result);
   const SurfaceDoubts doubts = timed(job.execution(), "check", [&] {
     return surface_doubts(result, points, stages.doubts, job.execution());
   });
@@ -228,11 +231,12 @@ void run(const ReconstructArguments& arguments, Job& job) {
 
   add_stages(job.report(), arguments, stages);
   add_reconstruction(job.report(), result, certificate);
-  job.say("{} points ({} duplicates, {} not on the surface), {} tetrahedra", result.points,
-          result.duplicates, result.unused_points, result.tetrahedra);
+  job.say("{} ({}, {} not on the surface), {}", counted(result.points, "point"),
+          counted(result.duplicates, "duplicate"), result.unused_points,
+          counted(result.tetrahedra, "tetrahedron", "tetrahedra"));
   job.say_outputs("{} -> {}", surface_summary(certificate), arguments.mesh);
   const std::vector<Finding> of_surface =
-      findings_of_surface(doubts, result.points - result.duplicates, arguments, faces);
+      findings_of_surface(doubts, result.points - result.duplicates, arguments, faces, trimmed);
   findings.insert(findings.end(), of_surface.begin(), of_surface.end());
   drop_settled(certificate, input.certificate, findings);
   report_findings(job, findings);

@@ -54,12 +54,13 @@ ModelInput read_model_input(Job& job, const std::string& name, const std::option
     return model;
   }
   ModelFile file = read_model(job, name, "input", properties);
+  if (!file.mesh.triangles.empty()) {
+    warn_of_unused_vertices(job, name, "input", file.mesh);
+    leave_out_unused_vertices(file, properties);
+    orient_model(job, name, "input", file.mesh);
+  }
   model.mesh = std::move(file.mesh);
   model.vertex_of_file = std::move(file.vertex_of);
-  if (!model.mesh.triangles.empty()) {
-    warn_of_unused_vertices(job, name, "input", model.mesh);
-    orient_model(job, name, "input", model.mesh);
-  }
   return model;
 }
 

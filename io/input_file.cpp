@@ -14,6 +14,7 @@ namespace cocoon {
 namespace {
 
 constexpr const char* it_is_a_folder = "it is a folder";
+constexpr const char* it_is_a_device = "it is a device, which may never end";
 
 [[noreturn]] void throw_unreadable(const std::filesystem::path& path, const std::string& reason) {
   const std::string told = "cannot be read (" + reason + "); check the name and the permissions";
@@ -33,6 +34,10 @@ InputFile::InputFile(const std::filesystem::path& path)
   if (S_ISDIR(status.st_mode)) {
     ::close(descriptor_);
     throw_unreadable(path, it_is_a_folder);
+  }
+  if (S_ISCHR(status.st_mode) && ::isatty(descriptor_) == 0) {
+    ::close(descriptor_);
+    throw_unreadable(path, it_is_a_device);
   }
   if (S_ISREG(status.st_mode)) size_ = static_cast<std::size_t>(status.st_size);
 }

@@ -24,8 +24,9 @@ struct Requirement {
 // it open.
 std::string edges_failure(const Certificate& c) {
   if (c.report.edges == 0) return "no triangle has three different corners";
-  return fmt::format("{} open edges, {} others with an odd number of triangles",
-                     c.report.open_edges, c.report.odd_edges - c.report.open_edges);
+  return fmt::format("{}, {} with an odd number of triangles",
+                     counted(c.report.open_edges, "open edge"),
+                     counted(c.report.odd_edges - c.report.open_edges, "other"));
 }
 
 // Open edges are unbalanced, too, and none of the reasons.

@@ -48,6 +48,17 @@ CLI::Validator without_leading_zeros() {
           ""};
 }
 
+CLI::Validator without_blanks() {
+  return {[](std::string& text) {
+            constexpr const char* blanks = " \t";
+            const std::size_t first = text.find_first_not_of(blanks);
+            if (first == std::string::npos) return std::string();
+            text = text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+            return std::string();
+          },
+          ""};
+}
+
 void require_no_empty_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& value : option->results()) {

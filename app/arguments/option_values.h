@@ -34,6 +34,9 @@ CLI::Validator whole_number();
 // Takes them away. To CLI11 "010" is eight, as in C; scripts that count write it for ten.
 CLI::Validator without_leading_zeros();
 
+// Before and behind a word of a list, as people write one: "closed, manifold".
+CLI::Validator without_blanks();
+
 // Throws UsageError for an empty value, as a shell makes it of a variable that is not set: taken
 // for an option that is not given, an output would be missing in the end.
 void require_no_empty_values(const CLI::App& command);

@@ -26,10 +26,12 @@ namespace {
 
 // Other programs read standard input by this name. Here the extension of a name tells the format.
 void require_named_input(const std::string& path) {
-  if (path != "-" || access(path.c_str(), F_OK) == 0) return;
-  throw UsageError(
-      "-: standard input needs a name whose extension tells the format; make a link to it "
-      "(ln -s /dev/stdin in.xyz), and name that");
+  const bool is_standard_input = path == "-" && access(path.c_str(), F_OK) != 0;
+  const bool is_stream = fs::path(path).extension().empty() && own_descriptor(path) >= 0;
+  if (!is_standard_input && !is_stream) return;
+  throw UsageError(path +
+                   ": a stream needs a name whose extension tells the format; make a link to it "
+                   "(ln -s /dev/stdin in.xyz), and name that");
 }
 
 // What read() returns; its error names the option that would help.
@@ -188,7 +190,7 @@ void require_outputs(Job& job, std::vector<OutputFile> outputs,
     if (is_standard_output(output.path)) job.keep_standard_output();
     const fs::path target = place_of(output.path);
     if (std::find(targets.begin(), targets.end(), target) != targets.end()) {
-      throw UsageError(output.path + ": two outputs cannot be the same file");
+      throw UsageError(output.path + ": two outputs cannot be the same file; name another one");
     }
     for (const std::string& input : inputs) {
       if (place_of(input) != target) continue;
@@ -232,7 +234,9 @@ void require_folder(const std::string& path) {
   require_possible_name(path);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return;
-  throw FileError(path + ": there is no such folder; make it first");
+  throw FileError(path + (fs::exists(path, ignored)
+                              ? ": is no folder; name the one in which scans will appear"
+                              : ": there is no such folder; make it first"));
 }
 
 std::string in_folder(const std::string& folder, const std::string& name) {

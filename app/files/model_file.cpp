@@ -98,17 +98,20 @@ void warn_of_unused_vertices(Job& job, const std::string& path, const std::strin
       path, counted(unused, "vertex is", "vertices are")));
 }
 
-void leave_out_unused_vertices(ModelFile& model) {
+void leave_out_unused_vertices(ModelFile& model, VertexProperties* properties) {
   TriangleMesh& mesh = model.mesh;
   const IdVector<VertexId, std::uint8_t> is_unused = unused_vertices(mesh);
   if (std::find(is_unused.begin(), is_unused.end(), std::uint8_t{1}) == is_unused.end()) return;
   IdVector<VertexId, VertexId> left(mesh.points.size());
   IdVector<VertexId, Point> points;
+  std::vector<RowOrigin> origins;
   for (const VertexId v : mesh.points.ids()) {
     if (is_unused[v] != 0) continue;
     left[v] = VertexId(points.size());
     points.push_back(mesh.points[v]);
+    origins.push_back({0, v.index()});
   }
+  if (properties != nullptr) *properties = select_rows(*properties, origins);
   for (Triangle& triangle : mesh.triangles) {
     for (VertexId& v : triangle) v = left[v];
   }

@@ -31,9 +31,10 @@ ModelFile read_model(Job& job, const std::string& path, const std::string& secti
 void warn_of_unused_vertices(Job& job, const std::string& path, const std::string& section,
                              const TriangleMesh& mesh);
 
-// Leaves out vertices that no triangle uses. In `vertex_of` those at the place of another one that
-// is used become that one, the others none. Complexity: the same.
-void leave_out_unused_vertices(ModelFile& model);
+// Leaves out vertices that no triangle uses, with their properties (nullptr: there are none). In
+// `vertex_of` those at the place of another one that is used become that one, the others none.
+// Complexity: the same.
+void leave_out_unused_vertices(ModelFile& model, VertexProperties* properties = nullptr);
 
 // Turns the mesh read so that it faces outward (orient_outward()). The summary says so, and the
 // section's "turned_triangles" counts. Complexity: O(v).

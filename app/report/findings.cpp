@@ -143,7 +143,14 @@ Finding fragments_finding(const SurfaceDoubts& d, NoiseFilter filter) {
       d.fragments, d.dust};
 }
 
-std::string reason_of_unused(NoiseFilter filter, bool cavities) {
+// `trimmed`: of the `unused` points those that --trim left out.
+std::string reason_of_unused(std::size_t unused, std::size_t trimmed, NoiseFilter filter,
+                             bool cavities) {
+  if (trimmed >= unused) return "they went with the long triangles that --trim leaves out";
+  if (trimmed > 0) {
+    return std::to_string(trimmed) + " of them went with the long triangles that --trim leaves " +
+           "out, else " + reason_of_unused(unused, 0, filter, cavities);
+  }
   if (filter == NoiseFilter::used) return "such count as noise or outliers";
   const bool is_option_of_command =
       filter != NoiseFilter::of_strays && filter != NoiseFilter::no_option;
@@ -158,15 +165,16 @@ std::string reason_of_unused(NoiseFilter filter, bool cavities) {
 }
 
 Finding unused_finding(const SurfaceDoubts& d, std::size_t points, bool warns, NoiseFilter filter,
-                       bool cavities) {
-  return {"unused",
-          fmt::format("{} of {} points {} not on the surface; {} is {:.3g} ({} times the "
-                      "spacing) off, at {}; {}",
-                      d.unused_points, points, d.unused_points == 1 ? "is" : "are",
-                      d.unused_points == 1 ? "it" : "the farthest", d.unused[0].size,
-                      ratio(d.unused[0].size / d.spacing), place_name(d.unused[0].at),
-                      reason_of_unused(filter, cavities)),
-          d.unused_points, d.unused, warns};
+                       const OptionsLeft& left) {
+  return {
+      "unused",
+      fmt::format("{} of {} points {} not on the surface; {} is {:.3g} ({} times the "
+                  "spacing) off, at {}; {}",
+                  d.unused_points, points, d.unused_points == 1 ? "is" : "are",
+                  d.unused_points == 1 ? "it" : "the farthest", d.unused[0].size,
+                  ratio(d.unused[0].size / d.spacing), place_name(d.unused[0].at),
+                  reason_of_unused(d.unused_points, left.trimmed_points, filter, left.cavities)),
+      d.unused_points, d.unused, warns};
 }
 
 // "3 edges and 1 vertex"; only what there is
@@ -215,9 +223,11 @@ std::vector<Finding> findings_of(const SurfaceDoubts& d, std::size_t points, Noi
     findings.push_back(conflicts_finding(d, remedy));
   }
   if (!d.unused.empty()) {
+    const std::size_t unexplained =
+        d.unused_points - std::min(left.trimmed_points, d.unused_points);
     const bool warns =
-        filter != NoiseFilter::used && share(d.unused_points, points) > limits.unused_share;
-    findings.push_back(unused_finding(d, points, warns, filter, left.cavities));
+        filter != NoiseFilter::used && share(unexplained, points) > limits.unused_share;
+    findings.push_back(unused_finding(d, points, warns, filter, left));
   }
   if (!d.contacts.empty()) findings.push_back(contacts_finding(d, left.manifold));
   if (noisy) {

@@ -66,6 +66,8 @@ struct OptionsLeft {
   bool cavities = true;  // --cavities: not in paper mode, nor if it was given
   bool manifold = true;  // --manifold
   bool trim = false;     // --trim: of closed surfaces of points
+  // If it was given: points that are on the surface no more.
+  std::size_t trimmed_points = 0;
 };
 
 // Nothing for a surface that is what it should be. Causes (sparse, noise) are notes unless much of

@@ -33,6 +33,20 @@ std::vector<double> distances_from(const TriangleMesh& b, Points points,
   return distances;
 }
 
+// Those of vertices on the surface, if there is one.
+std::vector<double> without_unused(const TriangleMesh& mesh, const std::vector<double>& distances) {
+  if (mesh.triangles.empty()) return distances;
+  std::vector<std::uint8_t> is_used(distances.size(), 0);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const VertexId v : triangle) is_used[v.index()] = 1;
+  }
+  std::vector<double> used;
+  for (std::size_t v = 0; v < distances.size(); ++v) {
+    if (is_used[v] != 0) used.push_back(distances[v]);
+  }
+  return used;
+}
+
 // Relative to the largest, whose square may not be in the range of double.
 double root_mean_square(std::span<const double> values) {
   double largest = 0;
@@ -66,8 +80,9 @@ void write_deviation(Job& job, const TriangleMesh& a, const TriangleMesh& b,
     return distances_from(b, a.points.span(), job.execution());
   });
   constexpr double spread = 3;
-  const double full = std::min(output.full_color.value_or(spread * root_mean_square(distances)),
-                               std::numeric_limits<double>::max());
+  const double full =
+      std::min(output.full_color.value_or(spread * root_mean_square(without_unused(a, distances))),
+               std::numeric_limits<double>::max());
   VertexProperties properties;
   properties.rows = distances.size();
   properties.columns.push_back(property_of("distance", distances));

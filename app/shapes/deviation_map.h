@@ -13,7 +13,8 @@ namespace cocoon::app {
 struct DeviationOutput {
   std::string file;  // PLY: the other formats keep nothing of vertices
   MeshWriteOptions writing;
-  // The distance that gets the full color; not given: three times the root mean square.
+  // The distance that gets the full color; not given: three times the root mean square of
+  // those of vertices in triangles.
   std::optional<double> full_color;
 };
 

@@ -40,7 +40,8 @@ std::size_t drop_unused_vertices(ReconstructResult& surface) {
 
 }  // namespace
 
-void open_surface(Job& job, const std::string& input, double max_edge, ReconstructResult& surface) {
+std::size_t open_surface(Job& job, const std::string& input, double max_edge,
+                         ReconstructResult& surface) {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   timed(job.execution(), "trim", [&] {
@@ -57,8 +58,9 @@ void open_surface(Job& job, const std::string& input, double max_edge, Reconstru
   surface.unused_points += vertices;
   job.report().set("trim/triangles", triangles);
   job.report().set("trim/vertices", vertices);
-  job.say("{} with edges longer than {} spacings left out", counted(triangles, "triangle"),
+  job.say("{} with edges longer than {} times the spacing left out", counted(triangles, "triangle"),
           max_edge);
+  return vertices;
 }
 
 }  // namespace cocoon::app

@@ -224,7 +224,7 @@ std::string header_text(std::size_t points, const TriangleMesh* mesh,
   for (const VertexProperty& column : properties.columns) {
     text += "property " + type_text(column.declaration) + " " + column.declaration.name + "\n";
   }
-  if (mesh != nullptr) {
+  if (mesh != nullptr && !mesh->triangles.empty()) {
     // int is what most readers expect; beyond its range the same bytes are a uint.
     const bool fits_int = points <= static_cast<std::size_t>(std::numeric_limits<int>::max());
     text += "element face " + std::to_string(mesh->triangles.size()) + "\nproperty list uchar " +

@@ -80,7 +80,7 @@ KeptProperties::KeptProperties(const PlyElement& element, const std::vector<bool
       return column.declaration.name == property.name;
     };
     if (std::any_of(properties_.columns.begin(), properties_.columns.end(), same_name)) {
-      properties_.left_out.push_back(property.name + " is given twice; the first one is kept");
+      properties_.left_out.push_back(property.name + " comes a second time");
       continue;
     }
     slots_[k] = properties_.columns.size();

@@ -71,8 +71,12 @@ TEST(Program, StandardInputNeedsALink) {
   const TemporaryFolder folder;
   for (const Names& arguments : {Names{"check", "-"}, Names{"compare", "-", "-"},
                                  Names{"delaunay", "-", "-o", folder.file("a.tet")}}) {
-    expect_error(run_program(arguments), 2, "-: standard input needs a name");
+    expect_error(run_program(arguments), 2, "-: a stream needs a name");
   }
+  expect_error(run_program({"check", "/dev/stdin"}), 2, "/dev/stdin: a stream needs a name");
+  // It would be read until memory is gone.
+  std::filesystem::create_symlink("/dev/zero", folder.file("endless.xyz"));
+  expect_error(run_program({"check", folder.file("endless.xyz")}), 1, "it is a device");
 }
 
 TEST(Program, ReconstructReportsWhatItMeasured) {

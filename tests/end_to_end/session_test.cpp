@@ -116,10 +116,10 @@ TEST(Session, RefusesWhatDoesNotFit) {
   expect_error(run_program({"update", "--session", session, cloud, "-o", mesh}), 1, "s");
   ASSERT_EQ(run_program({"reconstruct", points, "-o", mesh, "--session", session}).exit_code, 0);
   expect_error(run_program({"update", "--session", session, cloud, "-o", mesh, "--alpha", "20"}), 2,
-               "--rho");
+               "leave out --alpha");
   for (const char* mode : {"paper", "robust"}) {
     expect_error(run_program({"update", "--session", session, cloud, "-o", mesh, "--mode", mode}),
-                 2, "--rho");
+                 2, "leave out --alpha");
   }
   expect_error(run_program({"update", "--session", session, "-o", mesh}), 2, "CLOUD");
   expect_error(run_program({"update", mesh, "-o", mesh}), 2, "CLOUD");

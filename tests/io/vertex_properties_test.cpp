@@ -145,7 +145,7 @@ TEST(VertexProperties, ValuesThatAreNotOfTheirTypeLeaveThePropertyOut) {
   EXPECT_EQ(read("property list uchar int l\n", long_list + "\n0 0 2 0\n").left_out,
             Strings{"l is no list uchar int in line 9"});
   const VertexProperties twice = read("property int t\nproperty int t\n", "0 0 1 4 5\n0 0 2 6 7\n");
-  EXPECT_EQ(twice.left_out, Strings{"t is given twice; the first one is kept"});
+  EXPECT_EQ(twice.left_out, Strings{"t comes a second time"});
   EXPECT_EQ(twice.columns[0].values, bytes_of<std::int32_t>({4, 6}));
 }
 

@@ -41,7 +41,7 @@ TEST(CheckRequirements, ClosedCountsWhatLeavesAMeshOpen) {
       "not closed (4 open edges, 0 others with an odd number of triangles, as near (0, 0, 0))");
   EXPECT_EQ(
       failure("closed", fan({true, false, true})),
-      "not closed (6 open edges, 1 others with an odd number of triangles, as near (0, 0, 0))");
+      "not closed (6 open edges, 1 other with an odd number of triangles, as near (0, 0, 0))");
   EXPECT_EQ(
       failure("watertight", fan({true, false, true, false})),
       "not watertight (8 open edges, 0 others with an odd number of triangles, as near (0, 0, 0))");

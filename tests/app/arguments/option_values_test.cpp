@@ -38,6 +38,12 @@ TEST(OptionValues, LeadingZerosGo) {
   EXPECT_EQ(after(without_leading_zeros(), "0.5"), "0.5");
 }
 
+TEST(OptionValues, BlanksBesideWordsGo) {
+  EXPECT_EQ(after(without_blanks(), " manifold\t"), "manifold");
+  EXPECT_EQ(after(without_blanks(), "no way"), "no way");
+  EXPECT_EQ(after(without_blanks(), " "), " ");
+}
+
 TEST(OptionValues, EmptyOnesAreRefused) {
   CLI::App app;
   std::string map;

@@ -219,6 +219,25 @@ TEST(Findings, UnusedPointsWarnIfManyAndNotFiltered) {
   EXPECT_FALSE(finding_of(doubts, "unused", NoiseFilter::used).warns);
 }
 
+// What --trim leaves out is no outlier, and as it was wanted.
+TEST(Findings, UnusedPointsThatWereTrimmedAreToldApart) {
+  SurfaceDoubts doubts;
+  doubts.spacing = 0.1;
+  doubts.unused = one_spot;
+  doubts.unused_points = 300;
+  const auto of_trimmed = [&](std::size_t trimmed) {
+    return findings_of(doubts, 1000, NoiseFilter::not_used, {}, {.trimmed_points = trimmed})[0];
+  };
+  EXPECT_TRUE(of_trimmed(0).warns);
+  EXPECT_TRUE(of_trimmed(199).warns);
+  EXPECT_NE(of_trimmed(199).message.find("; 199 of them went with the long triangles that --trim "
+                                         "leaves out, else outliers"),
+            std::string::npos);
+  EXPECT_FALSE(of_trimmed(200).warns);
+  EXPECT_FALSE(of_trimmed(300).warns);
+  EXPECT_EQ(of_trimmed(300).message.find("outliers"), std::string::npos);
+}
+
 // --cavities where it does something, and has not been given.
 TEST(Findings, UnusedPointsNameCavitiesWhereTheyHelp) {
   SurfaceDoubts doubts;
