@@ -351,6 +351,23 @@ TEST(DynamicTightCocone, RefusesToHaveNoPoints) {
   EXPECT_TRUE(is_local_and_equal(cocone, changing, expected));
 }
 
+TEST(DynamicTightCocone, RefusesStepsThatDoNotLeadToThePoints) {
+  const std::vector<Point> points = gallery::even_sphere(300);
+  DynamicTightCocone cocone;
+  cocone.reconstruct(points);
+  std::vector<Point> fewer(points.begin() + 1, points.end());
+  EXPECT_THROW(cocone.edit(fewer, {}), InputError);
+  EXPECT_THROW(cocone.edit(fewer, {{PointId(300U)}, {}}), InputError);
+  EXPECT_THROW(cocone.edit(points, {{PointId(0U)}, {PointId(300U)}}), InputError);
+  // Each but the last is said to have been where it is now.
+  std::vector<PointId> old_position;
+  for (std::uint32_t i = 0; i < fewer.size(); ++i) old_position.emplace_back(i);
+  EXPECT_THROW(cocone.replace(fewer, old_position), InputError);
+  old_position[0] = PointId(300U);
+  EXPECT_THROW(cocone.replace(fewer, old_position), InputError);
+  EXPECT_TRUE(cocone.edit(fewer, {{PointId(0U)}, {}}).result.status == SurfaceStatus::ok);
+}
+
 // In the same words as from scratch, and of the points, not of the change.
 TEST(DynamicTightCocone, RefusesFlatPointsAsAReconstructionDoes) {
   const auto message_of = [](auto run) -> std::string {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <vector>
 
 #include "cocone/samples/cocone_radii.h"
 #include "ref/brute_force_poles.h"
@@ -90,6 +91,29 @@ TEST(Poles, FarCircumcentersDoNotOverflow) {
   for (const VertexId v : s.triangulation.vertices()) {
     EXPECT_NEAR(norm(s.poles.normals[v]), 1, 1e-12);
     EXPECT_FALSE(std::isnan(s.poles.heights[v]));
+  }
+}
+
+// Voronoi vertices may be of one's own: here two of a sample inside lie on opposite sides, both so
+// far away that squares overflow.
+TEST(Poles, HeightsBeyondTheRangeOfSquaresAreRight) {
+  std::vector<Point> points = shapes::sphere(60, 3);
+  points.push_back({0, 0, 0});
+  const Triangulation triangulation = delaunay(points).triangulation;
+  const VertexId inside = triangulation.vertex_of_point()[PointId(60U)];
+  Dual dual = voronoi_dual(triangulation);
+  std::vector<CellId> star;
+  for (const CellId c : triangulation.finite_cells()) {
+    const auto& corners = triangulation.cell(c).vertices;
+    if (std::find(corners.begin(), corners.end(), inside) != corners.end()) star.push_back(c);
+  }
+  ASSERT_GT(star.size(), 4U);
+  dual.centers[star[0]] = {1e250, 0, 0};
+  dual.centers[star[1]] = {-3e200, 4e200, 0};
+  for (const int threads : {1, 2}) {
+    const Poles poles = compute_poles(triangulation, dual, {threads});
+    EXPECT_EQ(poles.normals[inside], (Vec3{1, 0, 0}));
+    EXPECT_NEAR(poles.heights[inside], 5e200, 1e188);
   }
 }
 

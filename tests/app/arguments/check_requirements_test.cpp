@@ -101,6 +101,21 @@ TEST(CheckRequirements, ManifoldTellsWhere) {
   EXPECT_EQ(failure("edge-manifold", pinched), "");
 }
 
+TEST(CheckRequirements, PartsAndUnusedVerticesAreCounted) {
+  TriangleMesh mesh = fan({true});
+  EXPECT_EQ(failure("connected", mesh), "");
+  EXPECT_EQ(failure("orientable", mesh), "");
+  EXPECT_EQ(failure("no-unused-vertices", mesh), "");
+  const auto count = static_cast<std::uint32_t>(mesh.points.size());
+  for (int k = 0; k < 4; ++k) mesh.points.push_back({9, 9 + 0.5 * k, 0.25 * k * k});
+  EXPECT_EQ(failure("no-unused-vertices", mesh),
+            "fails no-unused-vertices (4 vertices without a triangle)");
+  mesh.triangles.push_back({VertexId(count), VertexId(count + 1), VertexId(count + 2)});
+  EXPECT_EQ(failure("no-unused-vertices", mesh),
+            "fails no-unused-vertices (1 vertex without a triangle)");
+  EXPECT_EQ(failure("connected", mesh), "not connected (2 components)");
+}
+
 // Also those that no mesh of ours has any more, since the reader left them out.
 TEST(CheckRequirements, BadTrianglesOfTheFileCount) {
   EXPECT_EQ(failure("no-bad-triangles", fan({true})), "");
