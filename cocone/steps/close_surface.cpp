@@ -70,7 +70,7 @@ void keep_good(CellMarks marks, Look& look) {
   look.good.good = std::move(marks.good);
 }
 
-// What body() would: nothing is left to be decided.
+// What enter_body() would: nothing is left to be decided.
 void enter_certain(GoodVertices good, Look& look, const Execution& execution) {
   ManifoldSurface& surface = look.found.surface;
   enter_mesh(look.input, look.found,
