@@ -84,9 +84,11 @@ bool overlap_each_other(Clouds& clouds, std::size_t a, std::size_t b, const Join
 // Whether all that a member of joined clouds shows is shown by others that are much finer.
 bool is_covered(Clouds& clouds, std::size_t c, std::span<const std::size_t> members,
                 const JoinOptions& options) {
+  // So the finest one is never covered.
+  const double coarser = std::max(options.coarser, 1.0);
   std::vector<std::size_t> finer;
   for (const std::size_t other : members) {
-    if (options.coarser * clouds[other].spacing < clouds[c].spacing) finer.push_back(other);
+    if (coarser * clouds[other].spacing < clouds[c].spacing) finer.push_back(other);
   }
   const std::vector<Point>& points = clouds[c].points;
   const auto covered = std::count_if(points.begin(), points.end(), [&](const Point& p) {

@@ -24,7 +24,8 @@ struct JoinOptions {
   // Smallest distance between the samples of which the surface of joined clouds is made.
   double thinning = 0.7;
   // A cloud that is more than so many times coarser than others, and has at least this share of its
-  // samples on them, shows nothing that they do not: of joined clouds it is not the coarsest.
+  // samples on them, shows nothing that they do not: of joined clouds it is not the coarsest. Less
+  // than 1 counts as 1.
   double coarser = 2;
   double min_covered_share = 0.9;
 };

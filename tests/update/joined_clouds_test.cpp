@@ -80,6 +80,7 @@ TEST(JoinedClouds, OneThatLiesOnFinerOnesIsNotTheCoarsest) {
   EXPECT_EQ(all, fine.size());
   EXPECT_EQ(join_clouds(Clouds{some, fine}).front().sheet.size(), all);
   EXPECT_LT(join_clouds(Clouds{fine, some}, {.coarser = 100}).front().sheet.size(), all / 2);
+  EXPECT_EQ(join_clouds(Clouds{fine, fine}, {.coarser = 0}).front().sheet.size(), all);
   std::vector<Point> beyond = some;
   beyond.push_back({30, 4, 0});
   EXPECT_LT(join_clouds(Clouds{fine, beyond}).front().sheet.size(), all / 2);

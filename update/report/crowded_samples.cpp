@@ -41,7 +41,7 @@ struct Thickness {
 // `apart`: those that keep `distance`; `few`: of few_of_layers().
 Thickness thickness_of(Points samples, std::span<const PointId> apart, double distance,
                        const FewSamples& few, const Execution& execution) {
-  const bool are_few = few.distance > 0 && few.distance < distance;
+  const bool are_few = few.distance < distance;
   const double reach = are_few ? few.distance : distance;
   const double share = layer_thickness(samples, are_few ? few.kept : apart, reach, execution);
   return {share, share * reach};
