@@ -22,8 +22,9 @@ namespace {
 // are nowhere near each other, and need not be searched.
 Box roomy_box(Points cloud) {
   constexpr double spacings = 4;
+  const std::size_t different = cloud.size() - repeated_points(cloud).size();
   Box box = box_of(cloud);
-  box.enlarge(spacings * norm(box.size()) / std::sqrt(static_cast<double>(cloud.size())));
+  box.enlarge(spacings * norm(box.size()) / std::sqrt(static_cast<double>(different)));
   return box;
 }
 
@@ -46,7 +47,9 @@ class Clouds {
     }
   }
 
-  bool boxes_overlap(std::size_t a, std::size_t b) const { return overlap(boxes_[a], boxes_[b]); }
+  bool boxes_overlap(std::size_t a, std::size_t b) const {
+    return !clouds_[a].empty() && !clouds_[b].empty() && overlap(boxes_[a], boxes_[b]);
+  }
 
   const Samples& operator[](std::size_t c) {
     if (!samples_[c]) {

@@ -42,8 +42,9 @@ struct JoinedCloud {
 // distance: layers that lie over each other, a little out of register, are no surface. Clouds with
 // numbers that are not finite overlap none. Errors: InputError for options out of range.
 // Complexity: O(n log n) for each pair of clouds whose boxes overlap, of n samples, unless they are
-// known to be joined. Deterministic; what is joined and what is chosen does not depend on the order
-// of clouds or samples. Source: ours; Woo & Dey 2005 have a cloud for each change.
+// known to be joined, and of joined ones for each much coarser than another. Deterministic; what is
+// joined and what is chosen does not depend on the order of clouds or samples. Source: ours; Woo &
+// Dey 2005 have a cloud for each change.
 std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
                                      const JoinOptions& options = {});
 

@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "geom/arrays/disjoint_sets.h"
+#include "geom/errors.h"
 #include "geom/id_vector.h"
 #include "geom/point.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
@@ -21,6 +23,7 @@ class TreeAndCotree {
  public:
   explicit TreeAndCotree(const LinkedMesh& mesh)
       : mesh_(mesh),
+        scale_(working_scale(mesh.points.span())),
         distance_(mesh.points.size(), std::numeric_limits<double>::infinity()),
         turn_(mesh.points.size(), 0),
         parent_(mesh.points.size()) {
@@ -28,6 +31,7 @@ class TreeAndCotree {
     for (const VertexId v : by_rank_) {
       if (parent_[v].is_none()) grow(v);
     }
+    find_heavy_paths();
   }
 
   struct Cycle {
@@ -90,7 +94,10 @@ class TreeAndCotree {
     for (std::uint32_t k = 0; k < by_rank_.size(); ++k) rank_[by_rank_[k]] = k;
   }
 
-  double length(VertexId a, VertexId b) const { return norm(mesh_.points[b] - mesh_.points[a]); }
+  // Times the scale: sums of all must be in the range of double.
+  double length(VertexId a, VertexId b) const {
+    return norm(scale_ * mesh_.points[b] - scale_ * mesh_.points[a]);
+  }
 
   void grow(VertexId root) {
     using Entry = std::pair<double, std::uint32_t>;  // distance, rank
@@ -103,7 +110,8 @@ class TreeAndCotree {
       queue.pop();
       const VertexId v = by_rank_[nearest.second];
       if (turn_[v] != 0) continue;
-      turn_[v] = ++turns_;
+      by_turn_.push_back(v);
+      turn_[v] = static_cast<std::uint32_t>(by_turn_.size());
       // Edges may be too short to add to the distance: who had a turn keeps its parent.
       const auto reach = [&](VertexId w) {
         if (turn_[w] != 0) return;
@@ -133,30 +141,56 @@ class TreeAndCotree {
   // Which of the two paths to the root goes on, until they are one: parents had earlier turns.
   bool is_farther(VertexId a, VertexId b) const { return turn_[a] > turn_[b]; }
 
+  // Each vertex and its child with the most descendants are on one of these paths: from anywhere
+  // there are at most log n of them to the root.
+  void find_heavy_paths() {
+    IdVector<VertexId, std::uint32_t> descendants(mesh_.points.size(), 1);
+    IdVector<VertexId, VertexId> heavy(mesh_.points.size());
+    for (auto v = by_turn_.rbegin(); v != by_turn_.rend(); ++v) {
+      const VertexId parent = parent_[*v];
+      if (parent == *v) continue;
+      descendants[parent] += descendants[*v];
+      VertexId& heaviest = heavy[parent];
+      if (heaviest.is_none() || descendants[*v] > descendants[heaviest]) heaviest = *v;
+    }
+    head_.resize(mesh_.points.size());
+    for (const VertexId v : by_turn_) head_[v] = heavy[parent_[v]] == v ? head_[parent_[v]] : v;
+  }
+
+  // Where the paths to the root meet. O(log n).
+  VertexId meeting_point(VertexId a, VertexId b) const {
+    while (head_[a] != head_[b]) {
+      VertexId& farther = is_farther(head_[a], head_[b]) ? a : b;
+      farther = parent_[head_[farther]];
+    }
+    return is_farther(a, b) ? b : a;
+  }
+
   Cycle cycle_of(Halfedge halfedge) const {
-    VertexId a = mesh_.from(halfedge);
-    VertexId b = mesh_.to(halfedge);
+    const VertexId a = mesh_.from(halfedge);
+    const VertexId b = mesh_.to(halfedge);
     const auto [smaller, larger] = std::minmax(rank_[a], rank_[b]);
     const double ends = distance_[a] + distance_[b] + length(a, b);
-    while (a != b) {
-      VertexId& farther = is_farther(a, b) ? a : b;
-      farther = parent_[farther];
-    }
-    return {ends - 2 * distance_[a], smaller, larger, halfedge};
+    return {(ends - 2 * distance_[meeting_point(a, b)]) / scale_, smaller, larger, halfedge};
   }
 
   const LinkedMesh& mesh_;
+  double scale_;
   std::vector<VertexId> by_rank_;
   IdVector<VertexId, std::uint32_t> rank_;
   IdVector<VertexId, double> distance_;
   IdVector<VertexId, std::uint32_t> turn_;  // when the distance was known; 0: it is not
-  std::uint32_t turns_ = 0;
+  std::vector<VertexId> by_turn_;
   IdVector<VertexId, VertexId> parent_;
+  IdVector<VertexId, VertexId> head_;  // of the heavy path of each vertex
 };
 
 }  // namespace
 
 std::vector<NarrowHandle> narrow_handles(const LinkedMesh& mesh, std::size_t max_count) {
+  for (const Point& p : mesh.points) {
+    if (!is_finite(p)) throw InputError("narrow_handles: a vertex is not finite; repair the mesh");
+  }
   const TreeAndCotree trees(mesh);
   const auto cycles = trees.cycles();
   max_count = std::min(max_count, cycles.size() / 2);

@@ -22,6 +22,7 @@ struct NarrowHandle {
 // vertices with shorter ones is left out, since mostly it goes around the same handle. "First", and
 // ties: lexicographically; a function of the surface alone, where no two vertices are at one place.
 // Precondition: each component is closed, manifold and orientable (mesh_check tells a genus).
+// Coordinates of any size. Errors: InputError for vertices that are not finite.
 // Complexity: O(n log n), one thread. Source: Eppstein 2003 (tree and cotree); Erickson &
 // Whittlesey 2005 (shortest paths as the tree, the longest cotree); what is left out is ours.
 std::vector<NarrowHandle> narrow_handles(const LinkedMesh& mesh, std::size_t max_count);

@@ -10,6 +10,7 @@
 
 #include "geom/arrays/median.h"
 #include "geom/messages/require_size.h"
+#include "geom/search/equal_points.h"
 #include "geom/search/nearest_point.h"
 #include "geom/search/neighbor_distance.h"
 #include "geom/search/thin_points.h"
@@ -43,7 +44,9 @@ std::optional<double> thickness(std::vector<Vec3>& offsets) {
 
 FewSamples few_of_layers(Points samples, double spread) {
   constexpr std::size_t neighbor = 8;
-  FewSamples few{spread * median_neighbor_distance(samples, neighbor), {}};
+  FewSamples few;
+  if (!(spread > 0)) return few;
+  few.distance = spread * median_neighbor_distance(samples, neighbor);
   if (few.distance > 0) few.kept = thin_points(samples, few.distance);
   return few;
 }
@@ -53,8 +56,9 @@ double layer_thickness(Points samples, std::span<const PointId> at, double reach
   for (const PointId p : at) {
     require_index("layer_thickness", "sample", p.index(), samples.size());
   }
-  if (at.empty()) return 0;
-  const NearestPointTree tree(samples, execution);
+  if (at.empty() || !(reach > 0)) return 0;
+  const std::vector<Point> different = distinct_points(samples);
+  const NearestPointTree tree(different, execution);
   std::vector<std::optional<double>> around(at.size());
   parallel_chunks(execution, {"layer_thickness"}, at.size(), 1024,
                   [&](std::size_t begin, std::size_t end) {
@@ -63,7 +67,7 @@ double layer_thickness(Points samples, std::span<const PointId> at, double reach
                       const Point& center = samples[at[k].index()];
                       offsets.clear();
                       tree.any_near(center, reach, [&](PointId q) {
-                        offsets.push_back((samples[q.index()] - center) / reach);
+                        offsets.push_back((different[q.index()] - center) / reach);
                         return false;
                       });
                       if (offsets.size() >= fewest) around[k] = thickness(offsets);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "geom/search/equal_points.h"
 #include "geom/search/nearest_point.h"
 #include "update/model/reached_cells.h"
 #include "update/stage_options.h"
@@ -35,7 +36,9 @@ std::vector<Point> samples_near_edges(Points cloud, const CloudRim& rim,
   list(rim.loops, rim.spacing);
   list(rim.pin_hole_loops, rim.median_edge);
   const double reach = std::max(options.reach, options.few_reach);
-  return points_near(cloud, places, reach * std::max(rim.spacing, rim.median_edge));
+  // A sample that is given twice counts once.
+  return distinct_points(
+      points_near(cloud, places, reach * std::max(rim.spacing, rim.median_edge)));
 }
 
 enum class Beyond { nothing, few, cloud };

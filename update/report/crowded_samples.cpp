@@ -1,10 +1,12 @@
 #include "update/report/crowded_samples.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "geom/arrays/median.h"
 #include "geom/messages/require_size.h"
+#include "geom/search/equal_points.h"
 #include "geom/search/thin_points.h"
 #include "update/cloud/layers.h"
 #include "update/stage_options.h"
@@ -47,19 +49,30 @@ Thickness thickness_of(Points samples, std::span<const PointId> apart, double di
   return {share, share * reach};
 }
 
-// Sets the flags of its members' samples but for those apart, which are increasing.
-void flag_all_but(std::span<const PointId> apart, const JoinedCloud& cloud,
-                  std::vector<SampleFlags>& flags) {
-  auto next = apart.begin();
-  std::size_t position = 0;
+// Sets the flags of its members' samples but for those at places of `samples` that are apart.
+// Returns how many.
+std::size_t flag_all_but(std::span<const PointId> apart, Points samples, const JoinedCloud& cloud,
+                         std::vector<SampleFlags>& flags) {
+  std::vector<Point> left;
+  left.reserve(apart.size());
+  for (const PointId p : apart) left.push_back(samples[p.index()]);
+  std::sort(left.begin(), left.end());
+  std::size_t flagged = 0;
+  auto sample = samples.begin();
   for (const std::size_t member : cloud.members) {
     for (std::uint8_t& flag : flags[member]) {
-      const bool is_apart = next != apart.end() && next->index() == position;
-      if (is_apart) ++next;
-      flag = is_apart ? 0 : 1;
-      ++position;
+      flag = std::binary_search(left.begin(), left.end(), *sample++) ? 0 : 1;
+      flagged += flag;
     }
   }
+  return flagged;
+}
+
+// join_clouds() returns nothing if no two overlap.
+std::vector<JoinedCloud> each_by_itself(std::size_t clouds) {
+  std::vector<JoinedCloud> alone(clouds);
+  for (std::size_t c = 0; c < clouds; ++c) alone[c].members = {c};
+  return alone;
 }
 
 }  // namespace
@@ -73,21 +86,26 @@ CrowdedSamples crowded_samples(const ModelIndex& model, std::span<const VertexId
   found.distance = options.distance * median_edge_at(model, removed);
   for (const std::vector<Point>& cloud : clouds) found.is_in_layers.emplace_back(cloud.size());
   if (found.distance == 0) return found;
-  for (const JoinedCloud& cloud : joined) {
+  const std::vector<JoinedCloud> alone = each_by_itself(joined.empty() ? clouds.size() : 0);
+  for (const JoinedCloud& cloud : joined.empty() ? std::span<const JoinedCloud>(alone) : joined) {
+    for (const std::size_t member : cloud.members) {
+      require_index("crowded_samples", "cloud", member, clouds.size());
+    }
     const std::vector<Point> samples = samples_of(cloud, clouds);
     const std::vector<PointId> apart = thin_points(samples, found.distance);
-    const std::size_t closer = samples.size() - apart.size();
-    if (!are_many(closer, samples.size(), options)) continue;
+    // A sample that is given twice crowds nobody.
+    const std::size_t different = samples.size() - repeated_points(samples).size();
+    const std::size_t closer = different - apart.size();
+    if (!are_many(closer, different, options)) continue;
     const FewSamples few = few_of_layers(samples, 1);
     if (found.distance > options.max_coarseness * few.distance) continue;
     const Thickness thickness = thickness_of(samples, apart, found.distance, few, execution);
     found.closer += closer;
-    found.of += samples.size();
+    found.of += different;
     found.thickness = std::max(found.thickness, thickness.share);
     found.depth = std::max(found.depth, thickness.length);
     if (thickness.share < options.min_thickness) continue;
-    found.in_layers += closer;
-    flag_all_but(apart, cloud, found.is_in_layers);
+    found.in_layers += flag_all_but(apart, samples, cloud, found.is_in_layers);
   }
   return found;
 }

@@ -21,8 +21,8 @@ struct CrowdedOptions {
   double min_share = 0.25;
   // Samples lie in layers if they are as thick (layer_thickness) around those that keep the
   // distance, or that to the eighth neighbor (few_of_layers), if that is less: farther apart, two
-  // walls of a part lie over each other. Rims that are refused ask the same of all samples
-  // (LayerOptions::when_refused).
+  // walls of a part lie over each other. Where rims are refused each cloud is asked by itself,
+  // within LayerOptions::spread times the distance to the eighth neighbor (when_refused).
   double min_thickness = 0.13;
   // Clouds are not looked at where the distance is longer than so many times that to the eighth
   // neighbor: the edges are those of a mesh whose vertices are no samples, as of CAD.
@@ -38,10 +38,10 @@ struct CrowdedOptions {
 struct CrowdedSamples {
   double distance = 0;
   std::size_t closer = 0;     // would have to go so that the others keep it (thin_points)
-  std::size_t of = 0;         // samples of these clouds in all
+  std::size_t of = 0;         // samples of these clouds in all, like these without equal ones
   double thickness = 0;       // of the thickest of them, as a share of where it was asked
   double depth = 0;           // the same as a length; of all the largest
-  std::size_t in_layers = 0;  // of those that are closer
+  std::size_t in_layers = 0;  // of those that are closer, equal ones counted each
   std::vector<SampleFlags> is_in_layers;  // for each cloud given: is it one of these
 };
 
@@ -49,9 +49,9 @@ struct CrowdedSamples {
 // Views out of register and noise make layers of them, with handles, hollows and shreds between:
 // where the surface has such, it may help to leave these samples out, which a finer scan of a true
 // detail would miss. `removed`: the vertices that went; `joined`: all of `clouds`, each in one of
-// them. Complexity: O(n log n) for n samples. Deterministic; the samples of a cloud may have any
-// order. Errors: InputError for options out of range, and for vertices that are not of the model.
-// Source: ours, docs/update.md, departure 25.
+// them, or none if each is by itself. Complexity: O(n log n) for n samples. Deterministic; the
+// samples of a cloud may have any order. Errors: InputError for options out of range, and for
+// vertices that are not of the model. Source: ours, docs/update.md, departure 25.
 CrowdedSamples crowded_samples(const ModelIndex& model, std::span<const VertexId> removed,
                                std::span<const JoinedCloud> joined,
                                std::span<const std::vector<Point>> clouds,

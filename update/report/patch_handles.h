@@ -16,8 +16,8 @@ namespace cocoon {
 // `triangles`: with all of that kind, of a surface without open edges; `vertices`: their points.
 // Where triangles touch at an edge or a vertex they are parted first (split_nonmanifold), and
 // openings are closed by a vertex far away.
-// Complexity: O(n log n) for n such triangles. Errors: InputError for a triangle with a vertex that
-// is not there. Source: ours.
+// Complexity: O(t) for t triangles, and O(n log n) for n with such a vertex. Errors: InputError if
+// one of these has a vertex that is not there or not finite, or has one twice. Source: ours.
 std::size_t narrow_patch_handles(Points vertices, std::span<const Triangle> triangles,
                                  VertexId first_new, double max_length);
 
