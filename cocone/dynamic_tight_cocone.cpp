@@ -404,6 +404,7 @@ ReconstructResult DynamicTightCocone::reconstruct(Points points, const Execution
 ReconstructResult DynamicTightCocone::replace(Points points, std::span<const PointId> old_position,
                                               const Execution& execution, const OldSurface& old) {
   State& state = *state_;
+  require_positions(points.size(), old_position, state.num_points);
   if (!state.is_live() || points.empty() || working_scale(points) != 1) {
     return reconstruct(points, execution, old.labels);  // of no points: throws
   }
@@ -419,6 +420,7 @@ DynamicTightCocone::Edited DynamicTightCocone::edit(Points points, const ListEdi
                                                     const OldSurface& old) {
   State& state = *state_;
   look_if_smooth(execution);
+  require_edit(change, state.num_points, points.size());
   if (!is_smooth() || points.empty()) {
     const IdVector<PointId, PointId> before = places_after(change.reversed(), points.size());
     return {replace(points, before.raw(), execution, old), {}};

@@ -63,9 +63,9 @@ ReconstructResult reconstruct_tight(Points points, const ReconstructOptions& opt
   return reconstruct_tight_with_labels(points, {}, options, execution);
 }
 
-ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
+ReconstructResult reconstruct_tight(const Triangulation& triangulation, Points points,
                                     const ReconstructOptions& options, const Execution& execution) {
-  return reconstruct_tight_with_labels(std::move(triangulation), points, {}, options, execution);
+  return reconstruct_tight_with_labels(triangulation, points, {}, options, execution);
 }
 
 ReconstructResult reconstruct_tight_with_labels(Points points, const KnownLabelsSource& known,
@@ -76,7 +76,7 @@ ReconstructResult reconstruct_tight_with_labels(Points points, const KnownLabels
   return tight_surface({built.triangulation, points, effective}, built.counters, known, execution);
 }
 
-ReconstructResult reconstruct_tight_with_labels(Triangulation triangulation, Points points,
+ReconstructResult reconstruct_tight_with_labels(const Triangulation& triangulation, Points points,
                                                 const KnownLabelsSource& known,
                                                 const ReconstructOptions& options,
                                                 const Execution& execution) {

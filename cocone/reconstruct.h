@@ -160,7 +160,7 @@ ReconstructResult reconstruct_tight(Points points, const ReconstructOptions& opt
 // that of working_scale(points) times them, else InputError if their numbers differ. Counters of
 // `delaunay` stay zero. The faster, the nearer cells lie that are neighbors (canonical_order.h).
 // Complexity: O(n).
-ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
+ReconstructResult reconstruct_tight(const Triangulation& triangulation, Points points,
                                     const ReconstructOptions& options = {},
                                     const Execution& execution = {});
 
@@ -179,7 +179,7 @@ ReconstructResult reconstruct_tight(Triangulation triangulation, Points points,
 ReconstructResult reconstruct_tight_with_labels(Points points, const KnownLabelsSource& known,
                                                 const ReconstructOptions& options = {},
                                                 const Execution& execution = {});
-ReconstructResult reconstruct_tight_with_labels(Triangulation triangulation, Points points,
+ReconstructResult reconstruct_tight_with_labels(const Triangulation& triangulation, Points points,
                                                 const KnownLabelsSource& known,
                                                 const ReconstructOptions& options = {},
                                                 const Execution& execution = {});

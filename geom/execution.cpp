@@ -65,7 +65,8 @@ bool PrefixedProgress::report(std::string_view stage, double fraction) {
 }
 
 int thread_count(const Execution& execution) {
-  if (execution.threads > 0) return execution.threads;
+  constexpr int most = 1024;
+  if (execution.threads > 0) return std::min(execution.threads, most);
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 

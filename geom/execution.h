@@ -34,11 +34,11 @@ class PrefixedProgress : public Progress {
 };
 
 struct Execution {
-  int threads = 1;               // 0 = all cores
+  int threads = 1;               // 0 or less = all cores; more than 1024 count as 1024
   Progress* progress = nullptr;  // not owned, may be null
 };
 
-// The number of threads that `execution` stands for, at least 1.
+// The number of threads that `execution` stands for, 1 to 1024.
 int thread_count(const Execution& execution);
 
 // Reports progress and throws Cancelled if the receiver says stop. No receiver: nothing happens.

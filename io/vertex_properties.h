@@ -32,7 +32,8 @@ struct VertexProperties {
 };
 
 // A property of the caller's own, to be written with a mesh: one number a row, as `double` or
-// `uchar`. docs/examples/own_stages.cpp writes some. Complexity: O(rows).
+// `uchar`. To be written to PLY its name must be one word, and not x, y or z.
+// docs/examples/own_stages.cpp writes some. Complexity: O(rows).
 VertexProperty property_of(std::string name, std::span<const double> values);
 VertexProperty property_of(std::string name, std::span<const std::uint8_t> values);
 

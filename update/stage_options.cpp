@@ -261,6 +261,8 @@ void require_options(const char* stage, const WallEdgeOptions& options) {
 }
 
 void require_options(const char* stage, const UpdateOptions& options) {
+  effective_options(options.reconstruct);
+  effective_options(options.cloud.reconstruct);
   require_options(stage, options.join);
   require_options(stage, options.cloud);
   require_options(stage, options.pin_holes);

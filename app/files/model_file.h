@@ -12,8 +12,8 @@ namespace cocoon::app {
 
 struct ModelFile {
   TriangleMesh mesh;  // of a file without triangles the points alone
-  // Of each vertex or point of the file, the one of `mesh`, or none if it was left out for not
-  // being finite; empty: they are the same.
+  // Of each vertex or point of the file, the one of `mesh`, or none if it was left out, for not
+  // being finite (points only) or since no triangle uses it; empty: they are the same.
   IdVector<VertexId, VertexId> vertex_of;
 };
 

@@ -22,7 +22,8 @@
 namespace cocoon {
 
 // Its parts refer to each other, and steps of the clean-up to them. Who changes a label does it by
-// flip(), or by hand with touch(), so that flaws are looked for again where they may have changed.
+// flip(), or by hand with touch(), so that flaws are looked for again where they may have changed;
+// or changes any, and calls find_flaws().
 class ChangingLabels {
  public:
   // With the labels of the peel. All references must outlive the object. Complexity: that of
@@ -41,7 +42,7 @@ class ChangingLabels {
   // Of the region, which takes in what was touched. Complexity: that of find_surface_flaws().
   void find_flaws(const Execution& execution);
   // What costs something: pinched vertices, and wanted samples that are unused. Complexity: O(those
-  // + stars of what was touched).
+  // + stars of what was touched), and O(region) if something outside of the region was touched.
   std::vector<VertexId> flawed_vertices();
   // As they were found, and asked for again where something was touched since.
   const SurfaceFlaws& flaws();

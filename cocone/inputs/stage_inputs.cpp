@@ -67,7 +67,7 @@ void require_facets(const char* stage, const Triangulation& triangulation, const
 
 void require_facets(const char* stage, const Triangulation& triangulation,
                     const LinkedFacets& facets) {
-  if (facets.size() != 0) require_facets(stage, triangulation, facets.set);
+  require_facets(stage, triangulation, facets.set);
 }
 
 void require_marked(const char* stage, const Triangulation& triangulation, const CellMarks& marks) {

@@ -25,10 +25,13 @@ VertexId vertex_at(const DynamicDelaunay& delaunay,
                    "position of an equal one, or none");
 }
 
-// What goes is among the points so far, what comes among the others.
+}  // namespace
+
 void require_edit(const ListEdit<PointId>& change, std::size_t before, std::size_t after) {
   const auto is_in = [](const std::vector<PointId>& list, std::size_t size) {
-    return list.empty() || list.back().index() < size;
+    const auto fails = [](PointId p, PointId next) { return !(p < next); };
+    return list.empty() || (list.back().index() < size &&
+                            std::adjacent_find(list.begin(), list.end(), fails) == list.end());
   };
   if (is_in(change.removed, before) && is_in(change.added, after) &&
       change.size_after(before) == after) {
@@ -40,7 +43,13 @@ void require_edit(const ListEdit<PointId>& change, std::size_t before, std::size
                    std::to_string(after) + "; give the edit between these lists");
 }
 
-}  // namespace
+void require_positions(std::size_t points, std::span<const PointId> old_position,
+                       std::size_t before) {
+  require_size("DynamicTightCocone", "positions of points so far", old_position.size(), points);
+  for (const PointId p : old_position) {
+    if (!p.is_none()) require_index("DynamicTightCocone", "point so far", p.index(), before);
+  }
+}
 
 PointStep plan_step(const DynamicDelaunay& delaunay,
                     const IdVector<PointId, VertexId>& vertex_of_point, Points points,

@@ -31,6 +31,15 @@ struct PointStep {
 PointStep plan_step(const DynamicDelaunay& delaunay,
                     const IdVector<PointId, VertexId>& vertex_of_point, Points points,
                     std::span<const PointId> old_position);
+// Throws InputError unless there is a position for each point, none or one of those before.
+// Complexity: O(n).
+void require_positions(std::size_t points, std::span<const PointId> old_position,
+                       std::size_t before);
+
+// Throws InputError unless the edit leads from so many points to so many: what goes is among those
+// before, what comes among those after, both ascending. Complexity: O(change).
+void require_edit(const ListEdit<PointId>& change, std::size_t before, std::size_t after);
+
 // The same for points that stay in their order. Precondition: each vertex has one point.
 // Errors: InputError for a change of lists of other lengths. Complexity: O(change), and a copy of
 // vertex_of_point.

@@ -1,9 +1,12 @@
 #include "cocone/steps/close_surface.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "cocone/cell_marks.h"
 #include "cocone/checks/surface_roughness.h"
 #include "cocone/close_body.h"
 #include "cocone/facets/linked_facets.h"
@@ -12,6 +15,7 @@
 #include "cocone/peel_cells.h"
 #include "cocone/second_look.h"
 #include "cocone/surface_mesh.h"
+#include "cocone/umbrella.h"
 
 namespace cocoon {
 
@@ -26,14 +30,17 @@ class ToldLabels {
   ToldLabels(const ToldLabels&) = delete;
   ToldLabels& operator=(const ToldLabels&) = delete;
 
-  // Empty if there is nobody to ask. Refers to the object.
+  bool is_there() const { return static_cast<bool>(known_); }
+  // Precondition: there is somebody.
+  const KnownLabels& ask(const Triangulation& triangulation, const FacetSet& surface,
+                         const Execution& execution) {
+    if (!told_) told_ = known_(triangulation, surface, execution);
+    return *told_;
+  }
+  // For who asks by itself. Empty if there is nobody. Refers to the object.
   KnownLabelsSource source() {
     if (!known_) return {};
-    return [this](const Triangulation& triangulation, const FacetSet& surface,
-                  const Execution& execution) {
-      if (!told_) told_ = known_(triangulation, surface, execution);
-      return *told_;
-    };
+    return [this](const auto&... asked) { return ask(asked...); };
   }
   bool is_asked() const { return told_.has_value(); }
   // Whether links of the surface are needed where what was told is heeded.
@@ -136,15 +143,13 @@ bool is_flawed(const CleanUpCounters& clean_up) {
 }
 
 // The first point at each vertex of the set, ascending. An empty set is one of no vertices.
-std::vector<PointId> points_at(const Triangulation& triangulation, VertexSet vertices) {
+std::vector<PointId> first_points_at(const Triangulation& triangulation,
+                                     const VertexSet& vertices) {
   std::vector<PointId> points;
-  if (vertices.empty()) return points;
-  const IdVector<PointId, VertexId>& vertex_of_point = triangulation.vertex_of_point();
-  for (const PointId p : vertex_of_point.ids()) {
-    std::uint8_t& wanted = vertices[vertex_of_point[p]];
-    if (wanted != 0) points.push_back(p);
-    wanted = 0;
+  for (const VertexId v : vertices.ids()) {
+    if (vertices[v] != 0) points.push_back(triangulation.point_of_vertex(v));
   }
+  std::sort(points.begin(), points.end());
   return points;
 }
 
@@ -182,7 +187,7 @@ void enter_body(ClosedBody body, Look& look, const Execution& execution) {
                execution);
   }
   count_body(body, look.made.result.counters);
-  look.made.result.contradicted = points_at(triangulation, std::move(marks.contradicted));
+  look.made.result.contradicted = first_points_at(triangulation, marks.contradicted);
   if (going_on.stages != nullptr) going_on.stages->out = std::move(marks.reached);
   keep_good(std::move(marks), look);
 }
@@ -192,12 +197,12 @@ void close_by(CellMarks marks, Look& look, const Execution& execution) {
   run_step(execution, "tight/body", [&](const Execution& nested) {
     const FoundSurface& found = look.found;
     const LiveStages* live = look.going_on.live;
-    KnownLabels told;
     const bool all_visited = marks.visited_vertices == marks.good_vertices;
-    const KnownLabelsSource known = look.told.source();
-    if (known && (is_in_doubt(marks) || !all_visited)) {
-      told = known(look.input.triangulation, found.surface.triangles.set, nested);
-    }
+    const bool is_asked = look.told.is_there() && (is_in_doubt(marks) || !all_visited);
+    const KnownLabels nothing;
+    const KnownLabels& told =
+        is_asked ? look.told.ask(look.input.triangulation, found.surface.triangles.set, nested)
+                 : nothing;
     if (!needs_links(told)) forget_links(look);
     ClosedBody body =
         close_body({look.input.triangulation, found.surface.triangles, found.boundary.boundary,
@@ -265,10 +270,10 @@ GoodUmbrellas close_surface(const ReconstructInput& input, FoundSurface& found,
   }
   std::optional<CellMarks> marks = mark_and_peel(look, execution);
   if (!marks) return std::move(look.good);
-  if (const KnownLabelsSource source = told.source(); source && is_in_doubt(*marks)) {
+  if (told.is_there() && is_in_doubt(*marks)) {
     // The clean-up will ask, and who tells decides how a second look is judged.
     run_step(execution, "tight/known", [&](const Execution& nested) {
-      source(input.triangulation, found.surface.triangles.set, nested);
+      told.ask(input.triangulation, found.surface.triangles.set, nested);
     });
   }
   if (!told.is_by_others() && calls_for_look(look, marks->conflicts, marks->poor_cells)) {

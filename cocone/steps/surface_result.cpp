@@ -12,7 +12,7 @@ namespace cocoon {
 
 SurfaceResult begin_result(const ReconstructInput& input) {
   const Triangulation& triangulation = input.triangulation;
-  require_size("reconstruct_tight", "input points of the triangulation",
+  require_size("reconstruct", "input points of the triangulation",
                triangulation.vertex_of_point().size(), input.points.size());
   SurfaceResult made;
   made.result.points = input.points.size();
@@ -55,6 +55,9 @@ void verify_result(const ReconstructInput& input, bool closed, SurfaceResult& ma
   if (result.verification.ok()) return;
   result.status = SurfaceStatus::refuted;
   result.mesh = {};
+  result.point_of_vertex = {};
+  result.normals = {};
+  result.boundary_sample = {};
 }
 
 }  // namespace cocoon

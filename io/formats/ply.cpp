@@ -214,8 +214,20 @@ void check_elements(const FileBytes& file, const PlyHeader& header) {
 
 // ---- writing ----
 
+// No reader would take back what it cannot tell from the rest of a header.
+void require_names(const VertexProperties& properties) {
+  for (const VertexProperty& column : properties.columns) {
+    const std::string& name = column.declaration.name;
+    const bool is_name = !name.empty() && name.find_first_of(" \t\n\v\f\r") == std::string::npos;
+    if (is_name && name != "x" && name != "y" && name != "z") continue;
+    throw InputError("a PLY file cannot have a property named " + in_quotes(name) +
+                     "; use letters and digits, but not x, y or z");
+  }
+}
+
 std::string header_text(std::size_t points, const TriangleMesh* mesh,
                         const VertexProperties& properties, const MeshWriteOptions& options) {
+  require_names(properties);
   const std::string type = options.single_precision ? "float" : "double";
   std::string text = "ply\nformat ";
   text += options.ascii ? "ascii" : "binary_little_endian";

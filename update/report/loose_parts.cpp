@@ -49,6 +49,11 @@ LooseParts loose_parts(const TriangleMesh& mesh, VertexId first_new) {
     found.triangles = sizes[part];
     found.at = VertexId(first_new.value + part);
   }
+  for (std::uint32_t place = 0; found.count > 0 && place < count; ++place) {
+    const VertexId v(first_new.value + place);
+    const bool is_in = parts.root(place) == parts.root(place_of(found.at));
+    if (is_in && mesh.points[v] < mesh.points[found.at]) found.at = v;
+  }
   return found;
 }
 

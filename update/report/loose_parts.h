@@ -13,7 +13,7 @@ struct LooseParts {
   std::size_t count = 0;
   // Of the largest (of several the one with the first vertex):
   std::size_t triangles = 0;
-  VertexId at = {};  // its first vertex, as the updated mesh numbers it
+  VertexId at = {};  // its lexicographically first vertex, as the updated mesh numbers it
   // Of each part the diagonal of its box.
   std::vector<double> extents;
 };
