@@ -220,7 +220,7 @@ void require_names(const VertexProperties& properties) {
     const std::string& name = column.declaration.name;
     const bool is_name = !name.empty() && name.find_first_of(" \t\n\v\f\r") == std::string::npos;
     if (is_name && name != "x" && name != "y" && name != "z") continue;
-    throw InputError("a PLY file cannot have a property named " + in_quotes(name) +
+    throw FileError("a PLY file cannot have a property named " + in_quotes(name) +
                      "; use letters and digits, but not x, y or z");
   }
 }

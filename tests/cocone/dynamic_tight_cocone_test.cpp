@@ -365,7 +365,15 @@ TEST(DynamicTightCocone, RefusesStepsThatDoNotLeadToThePoints) {
   EXPECT_THROW(cocone.replace(fewer, old_position), InputError);
   old_position[0] = PointId(300U);
   EXPECT_THROW(cocone.replace(fewer, old_position), InputError);
-  EXPECT_TRUE(cocone.edit(fewer, {{PointId(0U)}, {}}).result.status == SurfaceStatus::ok);
+  EXPECT_THROW(cocone.replace(fewer, std::vector<PointId>(3)), InputError);
+  fewer.erase(fewer.begin());
+  EXPECT_THROW(cocone.edit(fewer, {{PointId(1U), PointId(0U)}, {}}), InputError);
+  EXPECT_TRUE(cocone.edit(fewer, {{PointId(0U), PointId(1U)}, {}}).result.status ==
+              SurfaceStatus::ok);
+  // Nothing is known yet.
+  DynamicTightCocone fresh;
+  EXPECT_THROW(fresh.edit(points, {{}, {PointId(5U)}}), InputError);
+  EXPECT_THROW(fresh.replace(points, std::vector<PointId>(points.size(), PointId(7U))), InputError);
 }
 
 // In the same words as from scratch, and of the points, not of the change.

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <unistd.h>
@@ -97,6 +98,13 @@ TEST(ParallelChunks, TakesNoMemoryForGood) {
 }
 
 // A loop in a task of another one.
+TEST(ThreadCount, HasBothEnds) {
+  EXPECT_EQ(thread_count({3}), 3);
+  EXPECT_GE(thread_count({0}), 1);
+  EXPECT_EQ(thread_count({-5}), thread_count({0}));
+  EXPECT_EQ(thread_count({std::numeric_limits<int>::max()}), 1024);
+}
+
 TEST(ParallelChunks, CanBeNested) {
   std::vector<double> numbers(256);
   parallel_chunks({2}, 16, 1, [&](std::size_t begin, std::size_t) {

@@ -217,6 +217,20 @@ TEST(VertexProperties, AMeshIsNotWrittenWithRowsOfAnother) {
   EXPECT_EQ(folder.names().size(), 0U);
 }
 
+// A reader would refuse them, or take what follows for something else.
+TEST(VertexProperties, NamesThatNoHeaderCanHoldAreRefused) {
+  const TemporaryFolder folder;
+  TriangleMesh mesh;
+  mesh.points.resize(1);
+  for (const char* name : {"", "x", "z", "a b", "a\nend_header", "tab\t"}) {
+    VertexProperties properties;
+    properties.rows = 1;
+    properties.columns.push_back(property_of(name, std::vector<double>{1}));
+    EXPECT_THROW(write_mesh(folder.file("m.ply"), mesh, properties), FileError) << name;
+  }
+  EXPECT_TRUE(folder.names().empty());
+}
+
 TEST(VertexProperties, OfTheCallersOwnComeBack) {
   const TemporaryFolder folder;
   TriangleMesh mesh;

@@ -292,6 +292,24 @@ TEST(CloudSurface, OrderAndThreadsDoNotMatter) {
 }
 
 // In paper mode each trial measures the radius of the cocone (docs/update.md).
+// A lone sample beyond a rim is no cloud because it is there twice.
+TEST(CloudSurface, SamplesGivenTwiceChangeNoRim) {
+  std::vector<Point> points;
+  for (int x = 0; x < 20; ++x) {
+    for (int y = 0; y < 20; ++y) {
+      points.push_back({double(x), double(y), 0.01 * (x * x + y * y)});
+    }
+  }
+  const CloudSurface once = cloud_surface(points);
+  EXPECT_GT(once.rim.lone_edges, 0U);
+  points.insert(points.end(), points.begin(), points.begin() + 400);
+  const CloudSurface twice = cloud_surface(points);
+  EXPECT_EQ(twice.mesh, once.mesh);
+  EXPECT_EQ(twice.rim.lone_edges, once.rim.lone_edges);
+  EXPECT_EQ(twice.rim.seam_edges, once.rim.seam_edges);
+  EXPECT_EQ(twice.rim.is_partial(), once.rim.is_partial());
+}
+
 TEST(CloudSurface, PaperModeHoldsInAllTrials) {
   const std::vector<Point> cloud = sheet(30, 0.02, 0.4, 0.6, everywhere);
   CloudSurfaceOptions options;

@@ -140,6 +140,13 @@ TEST(StageInputsLeftOut, CellsThatWereNotPeeledHaveNoSurface) {
   EXPECT_THROW(open_cavities(s.triangulation, s.triangles.set, s.marks), InputError);
 }
 
+TEST(StageInputsLeftOut, FacetsOfNoTriangulationAreRefused) {
+  const Triangulation triangulation = delaunay(shapes::sphere(50, 1)).triangulation;
+  const VertexSet flags(triangulation.num_vertices(), 0);
+  EXPECT_THROW(mark_cells(triangulation, LinkedFacets(), flags), InputError);
+  EXPECT_THROW(extract_manifold(triangulation, LinkedFacets(), flags), InputError);
+}
+
 TEST(StageInputsLeftOut, MarksThatLackAPartAreRefused) {
   const AllStages s(shapes::noisy_sphere(300, 0.01, 11));
   const auto refused = [&](auto change) {

@@ -82,6 +82,8 @@ TEST_F(SurfaceOfASphere, WhatIsRefutedIsTakenBackIfAskedFor) {
   verify_result(input(), true, made, {});
   EXPECT_EQ(made.result.status, SurfaceStatus::refuted);
   EXPECT_TRUE(made.result.mesh.triangles.empty());
+  EXPECT_TRUE(made.result.point_of_vertex.empty());
+  EXPECT_TRUE(made.result.normals.empty());
 }
 
 }  // namespace

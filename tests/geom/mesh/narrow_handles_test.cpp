@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
 #include <vector>
 
 #include "geom/arrays/disjoint_sets.h"
+#include "geom/errors.h"
 #include "geom/mesh/linked_mesh.h"
 #include "geom/mesh_check.h"
 #include "geom/triangle_mesh.h"
@@ -86,6 +88,23 @@ TEST(NarrowHandles, TheNarrowestFirst) {
 }
 
 // Of the two ways around a handle one is told.
+TEST(NarrowHandles, AreFoundAtAnySize) {
+  const TriangleMesh ring = gallery::torus(24, 12);
+  const std::vector<NarrowHandle> expected = narrow_handles(link_mesh(ring), 1);
+  ASSERT_EQ(expected.size(), 1U);
+  for (const double scale : {0x1p+1000, 0x1p-1000, 0x1p+520}) {
+    TriangleMesh scaled_ring = ring;
+    for (Point& p : scaled_ring.points) p = scale * p;
+    const std::vector<NarrowHandle> found = narrow_handles(link_mesh(scaled_ring), 1);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].path, expected[0].path);
+    EXPECT_NEAR(found[0].length / scale, expected[0].length, 1e-12);
+  }
+  TriangleMesh broken = ring;
+  broken.points[VertexId(5U)].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(narrow_handles(link_mesh(broken), 1), InputError);
+}
+
 TEST(NarrowHandles, AreNoMoreThanTheGenus) {
   const LinkedMesh ring = link_mesh(gallery::torus(12, 8));
   EXPECT_EQ(narrow_handles(ring, 10).size(), 1U);

@@ -61,6 +61,23 @@ TEST(LayerThickness, FewSamplesAndLinesTellNothing) {
   EXPECT_EQ(thickness(line, 3.5), 0);
 }
 
+TEST(LayerThickness, SamplesGivenTwiceCountOnce) {
+  std::vector<Point> points = layers({0, 0.3});
+  const std::vector<PointId> at = all(points);
+  const double expected = layer_thickness(points, at, 2.5);
+  for (int k = 0; k < 200; ++k) points.push_back(points[static_cast<std::size_t>(k)]);
+  EXPECT_EQ(layer_thickness(points, at, 2.5), expected);
+  const std::vector<Point> few(10, points[0]);
+  EXPECT_EQ(thickness(few, 2.5), 0);
+  for (const double reach : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_EQ(layer_thickness(points, at, reach), 0);
+  }
+  for (const double spread : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_TRUE(few_of_layers(points, spread).kept.empty());
+    EXPECT_EQ(few_of_layers(points, spread).distance, 0);
+  }
+}
+
 TEST(LayerThickness, RefusesWhatIsNoSample) {
   std::vector<Point> points = layers({0});
   EXPECT_THROW(layer_thickness(points, {{PointId(points.size())}}, 1), InputError);

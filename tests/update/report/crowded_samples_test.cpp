@@ -106,6 +106,36 @@ TEST(CrowdedSamples, OfEachCloudAreJudgedByThemselves) {
   EXPECT_EQ(std::count(fine.begin(), fine.end(), 1), 0);
 }
 
+TEST(CrowdedSamples, GivenTwiceCrowdNobody) {
+  ScannedMiddle scene(0.4, 3);
+  const CrowdedSamples expected = scene.found();
+  scene.clouds.push_back(scene.clouds[0]);
+  const CrowdedSamples found = scene.found();
+  EXPECT_EQ(found.closer, expected.closer);
+  EXPECT_EQ(found.of, expected.of);
+  EXPECT_EQ(found.thickness, expected.thickness);
+  EXPECT_EQ(found.is_in_layers[1], expected.is_in_layers[1]);
+  EXPECT_EQ(found.is_in_layers[3], found.is_in_layers[0]);
+  ScannedMiddle single(1, 1);
+  single.clouds.push_back(single.clouds[0]);
+  EXPECT_EQ(single.found().closer, 0U);
+}
+
+// As join_clouds() returns it if no two overlap.
+TEST(CrowdedSamples, WithoutJoinedCloudsEachIsByItself) {
+  ScannedMiddle scene(0.4, 1);
+  std::vector<Point> second = scene.clouds[0];
+  for (Point& p : second) p.z = 0.1;
+  scene.clouds[0].insert(scene.clouds[0].end(), second.begin(), second.end());
+  const CrowdedSamples found =
+      crowded_samples(ModelIndex(scene.model), scene.removed, {}, scene.clouds);
+  EXPECT_GT(found.in_layers, 0U);
+  EXPECT_EQ(found.in_layers, scene.found().in_layers);
+  const std::vector<JoinedCloud> wrong = {{.members = {1}, .sheet = {}}};
+  EXPECT_THROW(crowded_samples(ModelIndex(scene.model), scene.removed, wrong, scene.clouds),
+               InputError);
+}
+
 TEST(CrowdedSamples, WithoutVerticesThatWentThereAreNone) {
   ScannedMiddle scene(1, 3);
   scene.removed.clear();
