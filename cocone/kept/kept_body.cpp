@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "cocone/facets/edge_cycle.h"
+#include "cocone/facets/good_parts.h"
 #include "cocone/facets/surface_fan.h"
 #include "cocone/facets/vertices_of_cells.h"
-#include "cocone/facets/good_parts.h"
 #include "geom/arrays/disjoint_sets.h"
 #include "geom/arrays/sort_by_vertex.h"
 #include "geom/arrays/visit_where.h"

@@ -221,7 +221,7 @@ void require_names(const VertexProperties& properties) {
     const bool is_name = !name.empty() && name.find_first_of(" \t\n\v\f\r") == std::string::npos;
     if (is_name && name != "x" && name != "y" && name != "z") continue;
     throw FileError("a PLY file cannot have a property named " + in_quotes(name) +
-                     "; use letters and digits, but not x, y or z");
+                    "; use letters and digits, but not x, y or z");
   }
 }
 

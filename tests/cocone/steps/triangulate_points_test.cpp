@@ -35,8 +35,7 @@ TEST(TriangulatePoints, WhatLosesBitsIsRefused) {
     triangulate_points(points);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("not finite"), std::string::npos)
-        << error.what();
+    EXPECT_NE(std::string(error.what()).find("not finite"), std::string::npos) << error.what();
   }
 }
 
