@@ -77,11 +77,11 @@ int PartFile::take_name(Take take) {
   return EEXIST;
 }
 
-int PartFile::set_permissions(unsigned mode) { return error_of(::fchmod(descriptor_, mode)); }
+int PartFile::set_permissions(unsigned mode) const { return error_of(::fchmod(descriptor_, mode)); }
 
-int PartFile::write(std::string_view bytes) { return write_all(descriptor_, bytes); }
+int PartFile::write(std::string_view bytes) const { return write_all(descriptor_, bytes); }
 
-int PartFile::complete() { return error_of(::fsync(descriptor_)); }
+int PartFile::complete() const { return error_of(::fsync(descriptor_)); }
 
 int PartFile::give_name() {
   if (name_.empty()) {

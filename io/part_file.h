@@ -20,10 +20,10 @@ class PartFile {
 
   // `place`: where the file is to be, behind all symbolic links. Permissions follow the umask.
   [[nodiscard]] int open(const std::filesystem::path& place);
-  [[nodiscard]] int set_permissions(unsigned mode);
-  [[nodiscard]] int write(std::string_view bytes);
+  [[nodiscard]] int set_permissions(unsigned mode) const;
+  [[nodiscard]] int write(std::string_view bytes) const;
   // The bytes are on the disk then (fsync).
-  [[nodiscard]] int complete();
+  [[nodiscard]] int complete() const;
   // A temporary one beside the place, where it has none: the last step that needs space.
   [[nodiscard]] int give_name();
   [[nodiscard]] int rename_to_place();
