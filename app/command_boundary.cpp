@@ -94,8 +94,7 @@ void tell_bridges(Job& job, const TriangleMesh& surface) {
   job.report().set("boundary/bridging_triangles", triangles);
   job.say(
       "note: {} with edges longer than {} times the spacing may bridge slots or holes; --trim {} "
-      "leaves "
-      "them out, as an update does",
+      "leaves them out, as an update does",
       counted(triangles, "triangle"), options.max_edge, options.max_edge);
 }
 

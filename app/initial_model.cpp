@@ -55,8 +55,7 @@ ModelInput read_model_input(Job& job, const std::string& name, const std::option
   }
   ModelFile file = read_model(job, name, "input", properties);
   if (!file.mesh.triangles.empty()) {
-    warn_of_unused_vertices(job, name, "input", file.mesh);
-    leave_out_unused_vertices(file, properties);
+    leave_out_unused_vertices(job, name, "input", file, properties);
     orient_model(job, name, "input", file.mesh);
   }
   model.mesh = std::move(file.mesh);

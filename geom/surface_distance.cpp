@@ -9,6 +9,7 @@
 
 #include "geom/errors.h"
 #include "geom/mesh/triangles_by_area.h"
+#include "geom/mesh/used_vertices.h"
 #include "geom/random/random.h"
 #include "geom/search/closest_facet.h"
 #include "geom/search/nearest_point.h"
@@ -31,10 +32,7 @@ SquaredDistanceTo search_in(const TriangleMesh& target, const Execution& executi
 
 // The points of `mesh` that are measured for the maximum alone.
 std::vector<Point> corners_of_triangles(const TriangleMesh& mesh) {
-  IdVector<VertexId, char> used(mesh.points.size(), 0);
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const VertexId v : triangle) used[v] = 1;
-  }
+  const IdVector<VertexId, std::uint8_t> used = used_vertices(mesh);
   std::vector<Point> corners;
   for (const VertexId v : mesh.points.ids()) {
     if (used[v] != 0) corners.push_back(mesh.points[v]);

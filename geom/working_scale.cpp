@@ -50,6 +50,7 @@ double common_scale(Points a, Points b) {
 
 void require_comparable_sizes(Points points, const Execution& execution) {
   const double largest = largest_coordinate_of(points, execution);
+  if (!std::isfinite(largest)) return;  // an infinite one is no far point
   const double far = largest / largest_ratio;
   const auto count = [&](const auto& counts) {
     return parallel_reduce(

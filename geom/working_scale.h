@@ -24,7 +24,8 @@ double common_scale(Points a, Points b);
 
 // Throws InputError, which names the point that is farthest out, if the coordinates of most of the
 // points, those at the origin left aside, are smaller than 2^-200 times the largest one: then no
-// scale holds both the squares of areas among these and those of the others. Complexity: O(n).
+// scale holds both the squares of areas among these and those of the others. Of points that are not
+// finite it says nothing: that is for who needs them to be. Complexity: O(n).
 void require_comparable_sizes(Points points, const Execution& execution = {});
 
 // True iff every coordinate times `scale`, a power of two, is representable: nothing is lost to

@@ -48,7 +48,7 @@ class Clouds {
   }
 
   bool boxes_overlap(std::size_t a, std::size_t b) const {
-    return !clouds_[a].empty() && !clouds_[b].empty() && overlap(boxes_[a], boxes_[b]);
+    return !boxes_[a].is_empty() && !boxes_[b].is_empty() && overlap(boxes_[a], boxes_[b]);
   }
 
   const Samples& operator[](std::size_t c) {
@@ -118,6 +118,7 @@ double spacing_of_coarsest(Clouds& clouds, std::span<const std::size_t> members,
 std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
                                      const JoinOptions& options) {
   require_options("join_clouds", options);
+  if (clouds.size() < 2) return {};
   Clouds samples(clouds);
   DisjointSets sets(clouds.size());
   for (std::uint32_t a = 0; a < clouds.size(); ++a) {
@@ -147,6 +148,12 @@ std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
     cloud.different = distinct_points(all).size();
   }
   return joined;
+}
+
+std::vector<JoinedCloud> each_by_itself(std::size_t clouds) {
+  std::vector<JoinedCloud> alone(clouds);
+  for (std::size_t c = 0; c < clouds; ++c) alone[c].members = {c};
+  return alone;
 }
 
 std::vector<Point> samples_of(const JoinedCloud& cloud,

@@ -48,6 +48,9 @@ struct JoinedCloud {
 std::vector<JoinedCloud> join_clouds(std::span<const std::vector<Point>> clouds,
                                      const JoinOptions& options = {});
 
+// As if no two overlapped, but told. Complexity: O(clouds).
+std::vector<JoinedCloud> each_by_itself(std::size_t clouds);
+
 // The points of its members, one after the other.
 std::vector<Point> samples_of(const JoinedCloud& cloud, std::span<const std::vector<Point>> clouds);
 

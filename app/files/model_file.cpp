@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/files/files.h"
+#include "geom/mesh/used_vertices.h"
 #include "geom/mesh/weld_vertices.h"
 #include "geom/mesh_check.h"
 #include "geom/messages/counted.h"
@@ -17,31 +18,6 @@
 namespace cocoon::app {
 
 namespace {
-
-IdVector<VertexId, std::uint8_t> unused_vertices(const TriangleMesh& mesh) {
-  IdVector<VertexId, std::uint8_t> is_unused(mesh.points.size(), 1);
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const VertexId v : triangle) is_unused[v] = 0;
-  }
-  return is_unused;
-}
-
-// Vertices that no triangle uses, nor another one at their place.
-std::size_t unused_places(const TriangleMesh& mesh) {
-  IdVector<VertexId, std::uint8_t> is_unused = unused_vertices(mesh);
-  const auto count = [&] {
-    return static_cast<std::size_t>(
-        std::count(is_unused.begin(), is_unused.end(), std::uint8_t{1}));
-  };
-  if (count() == 0) return 0;
-  const std::vector<RepeatedPoint> repeated = repeated_points(mesh.points.span());
-  for (const RepeatedPoint& r : repeated) {
-    std::uint8_t& first = is_unused[VertexId(r.first)];
-    first = std::min(first, is_unused[VertexId(r.point)]);
-  }
-  for (const RepeatedPoint& r : repeated) is_unused[VertexId(r.point)] = 0;  // told once
-  return count();
-}
 
 // Of each point of a file, which of the `left` it is; of those that were skipped none.
 IdVector<VertexId, VertexId> without(const std::vector<std::size_t>& skipped, std::size_t left) {
@@ -87,49 +63,41 @@ ModelFile read_model(Job& job, const std::string& path, const std::string& secti
   return {std::move(welded.mesh), std::move(welded.vertex_of)};
 }
 
-void warn_of_unused_vertices(Job& job, const std::string& path, const std::string& section,
-                             const TriangleMesh& mesh) {
-  const std::size_t unused = unused_places(mesh);
-  if (unused == 0) return;
-  job.report().set(section + "/unused_vertices", unused);
+void leave_out_unused_vertices(Job& job, const std::string& path, const std::string& section,
+                               ModelFile& model, VertexProperties* properties) {
+  const IdVector<VertexId, std::uint8_t> used = used_vertices(model.mesh);
+  if (std::find(used.begin(), used.end(), std::uint8_t{0}) == used.end()) return;
+  const std::vector<RepeatedPoint> repeated = repeated_points(model.mesh.points.span());
+  IdVector<VertexId, VertexId> now = leave_out_unused(model.mesh);
+  if (properties != nullptr) {
+    std::vector<RowOrigin> origins;
+    for (const VertexId v : now.ids()) {
+      if (!now[v].is_none()) origins.push_back({0, v.index()});
+    }
+    *properties = select_rows(*properties, origins);
+  }
+  for (const RepeatedPoint& r : repeated) {
+    VertexId& first = now[VertexId(r.first)];
+    if (first.is_none()) first = now[VertexId(r.point)];
+  }
+  auto alone = static_cast<std::size_t>(std::count(now.begin(), now.end(), VertexId()));
+  for (const RepeatedPoint& r : repeated) {
+    VertexId& other = now[VertexId(r.point)];
+    if (!other.is_none()) continue;
+    other = now[VertexId(r.first)];
+    --alone;  // its place is told once, or used
+  }
+  if (model.vertex_of.empty()) {
+    model.vertex_of = std::move(now);
+  } else {
+    for (VertexId& v : model.vertex_of) v = v.is_none() ? v : now[v];
+  }
+  if (alone == 0) return;
+  job.report().set(section + "/unused_vertices", alone);
   job.warn(fmt::format(
       "{}: {} in no triangle, and left out; if they are samples of the surface, reconstruct it "
       "from its points, or give them as a cloud",
-      path, counted(unused, "vertex is", "vertices are")));
-}
-
-void leave_out_unused_vertices(ModelFile& model, VertexProperties* properties) {
-  TriangleMesh& mesh = model.mesh;
-  const IdVector<VertexId, std::uint8_t> is_unused = unused_vertices(mesh);
-  if (std::find(is_unused.begin(), is_unused.end(), std::uint8_t{1}) == is_unused.end()) return;
-  IdVector<VertexId, VertexId> left(mesh.points.size());
-  IdVector<VertexId, Point> points;
-  std::vector<RowOrigin> origins;
-  for (const VertexId v : mesh.points.ids()) {
-    if (is_unused[v] != 0) continue;
-    left[v] = VertexId(points.size());
-    points.push_back(mesh.points[v]);
-    origins.push_back({0, v.index()});
-  }
-  if (properties != nullptr) *properties = select_rows(*properties, origins);
-  for (Triangle& triangle : mesh.triangles) {
-    for (VertexId& v : triangle) v = left[v];
-  }
-  const std::vector<RepeatedPoint> repeated = repeated_points(mesh.points.span());
-  for (const RepeatedPoint& r : repeated) {
-    VertexId& first = left[VertexId(r.first)];
-    if (first.is_none()) first = left[VertexId(r.point)];
-  }
-  for (const RepeatedPoint& r : repeated) {
-    VertexId& other = left[VertexId(r.point)];
-    if (other.is_none()) other = left[VertexId(r.first)];
-  }
-  mesh.points = std::move(points);
-  if (model.vertex_of.empty()) {
-    model.vertex_of = std::move(left);
-  } else {
-    for (VertexId& v : model.vertex_of) v = v.is_none() ? v : left[v];
-  }
+      path, counted(alone, "vertex is", "vertices are")));
 }
 
 void orient_model(Job& job, const std::string& path, const std::string& section,

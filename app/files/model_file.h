@@ -25,16 +25,12 @@ struct ModelFile {
 ModelFile read_model(Job& job, const std::string& path, const std::string& section,
                      VertexProperties* properties = nullptr);
 
-// Warns of vertices that no triangle of the mesh read uses, nor another vertex at their place,
-// since what the mesh becomes has none of them; the section's "unused_vertices" counts.
-// Complexity: O(v + t), and O(v log v) if there are any.
-void warn_of_unused_vertices(Job& job, const std::string& path, const std::string& section,
-                             const TriangleMesh& mesh);
-
 // Leaves out vertices that no triangle uses, with their properties (nullptr: there are none). In
 // `vertex_of` those at the place of another one that is used become that one, the others none.
-// Complexity: the same.
-void leave_out_unused_vertices(ModelFile& model, VertexProperties* properties = nullptr);
+// Warns of the places where none is used; the section's "unused_vertices" counts them. Complexity:
+// O(v + t), and O(v log v) if there are any.
+void leave_out_unused_vertices(Job& job, const std::string& path, const std::string& section,
+                               ModelFile& model, VertexProperties* properties = nullptr);
 
 // Turns the mesh read so that it faces outward (orient_outward()). The summary says so, and the
 // section's "turned_triangles" counts. Complexity: O(v).

@@ -53,8 +53,7 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
                      ": --densify needs a mesh, and this file has no triangles; give the mesh, or "
                      "leave --densify out");
   }
-  warn_of_unused_vertices(job, path, "input", mesh);
-  leave_out_unused_vertices(model);
+  leave_out_unused_vertices(job, path, "input", model);
   const std::vector<Point> added = timed(job.execution(), "dense_samples", [&] {
     return naming_input(path,
                         [&] { return dense_samples(mesh, {.spacing = spacing}, job.execution()); });
@@ -69,9 +68,7 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
   if (model.vertex_of.empty()) {
     for (const VertexId v : mesh.points.ids()) dense.point_of_vertex.push_back(PointId(v.value));
   } else {
-    for (const VertexId v : model.vertex_of) {
-      dense.point_of_vertex.push_back(v.is_none() ? PointId() : PointId(v.value));
-    }
+    for (const VertexId v : model.vertex_of) dense.point_of_vertex.push_back(PointId(v.value));
   }
   dense.points.insert(dense.points.end(), added.begin(), added.end());
   dense.certificate = mesh_check(mesh, {}, job.execution());

@@ -22,11 +22,11 @@ struct DensifiedMesh {
 };
 
 // Reads a mesh (read_model), as stage "read", leaves out vertices that no triangle uses, with a
-// warning, and adds samples about `spacing` apart, as stage
-// "dense_samples". Of a closed mesh more are added, as stage "conforming_samples", if the surface
-// of those has another Euler number, other parts or other contacts than the mesh: to find out they
-// are reconstructed. How many goes to the report and the summary. Warns of a mesh that is not
-// closed. Throws InputError if the file has no triangles, or if the spacing is too small for it.
+// warning, and adds samples about `spacing` apart, as stage "dense_samples". Of a closed mesh more
+// are added, as stage "conforming_samples", if the surface of those has another Euler number, other
+// parts or other contacts than the mesh: to find out they are reconstructed. How many goes to the
+// report and the summary. Warns of a mesh that is not closed. Throws InputError if the file has no
+// triangles, or if the spacing is too small for it.
 DensifiedMesh read_densified(Job& job, const std::string& path, double spacing);
 
 // Warns if the surface of the samples has more or fewer handles than the mesh, both closed and of

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "geom/mesh/used_vertices.h"
 #include "geom/search/nearest_point.h"
 #include "geom/signed_distance.h"
 #include "geom/working_scale.h"
@@ -36,13 +37,10 @@ std::vector<double> distances_from(const TriangleMesh& b, Points points,
 // Those of vertices on the surface, if there is one.
 std::vector<double> without_unused(const TriangleMesh& mesh, const std::vector<double>& distances) {
   if (mesh.triangles.empty()) return distances;
-  std::vector<std::uint8_t> is_used(distances.size(), 0);
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const VertexId v : triangle) is_used[v.index()] = 1;
-  }
+  const IdVector<VertexId, std::uint8_t> is_used = used_vertices(mesh);
   std::vector<double> used;
-  for (std::size_t v = 0; v < distances.size(); ++v) {
-    if (is_used[v] != 0) used.push_back(distances[v]);
+  for (const VertexId v : is_used.ids()) {
+    if (is_used[v] != 0) used.push_back(distances[v.index()]);
   }
   return used;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geom/errors.h"
+#include "geom/mesh/used_vertices.h"
 #include "geom/messages/counted.h"
 #include "update/cloud/trim_long_edges.h"
 
@@ -13,29 +14,18 @@ namespace {
 
 // Those that no triangle has; the others keep their order. Returns how many.
 std::size_t drop_unused_vertices(ReconstructResult& surface) {
-  IdVector<VertexId, VertexId> number(surface.mesh.points.size());
-  for (const Triangle& triangle : surface.mesh.triangles) {
-    for (const VertexId v : triangle) number[v] = VertexId(0);
+  const IdVector<VertexId, VertexId> now = leave_out_unused(surface.mesh);
+  for (const VertexId v : now.ids()) {
+    if (now[v].is_none()) continue;
+    surface.point_of_vertex[now[v]] = surface.point_of_vertex[v];
+    surface.normals[now[v]] = surface.normals[v];
+    surface.boundary_sample[now[v]] = surface.boundary_sample[v];
   }
-  std::uint32_t next = 0;
-  for (const VertexId v : number.ids()) {
-    if (number[v].is_none()) continue;
-    const VertexId to(next++);
-    number[v] = to;
-    surface.mesh.points[to] = surface.mesh.points[v];
-    surface.point_of_vertex[to] = surface.point_of_vertex[v];
-    surface.normals[to] = surface.normals[v];
-    surface.boundary_sample[to] = surface.boundary_sample[v];
-  }
-  const std::size_t dropped = number.size() - next;
-  surface.mesh.points.resize(next);
-  surface.point_of_vertex.resize(next);
-  surface.normals.resize(next);
-  surface.boundary_sample.resize(next);
-  for (Triangle& triangle : surface.mesh.triangles) {
-    for (VertexId& v : triangle) v = number[v];
-  }
-  return dropped;
+  const std::size_t left = surface.mesh.points.size();
+  surface.point_of_vertex.resize(left);
+  surface.normals.resize(left);
+  surface.boundary_sample.resize(left);
+  return now.size() - left;
 }
 
 }  // namespace

@@ -54,7 +54,6 @@ void require_positions(std::size_t points, std::span<const PointId> old_position
 PointStep plan_step(const DynamicDelaunay& delaunay,
                     const IdVector<PointId, VertexId>& vertex_of_point, Points points,
                     std::span<const PointId> old_position) {
-  require_size("DynamicTightCocone", "old positions", old_position.size(), points.size());
   PointStep step;
   step.vertex_of_point.resize(points.size());
   std::vector<std::uint8_t> stays(delaunay.num_vertex_slots(), 0);
@@ -80,7 +79,6 @@ PointStep plan_step(const DynamicDelaunay& delaunay,
 PointStep plan_step(const DynamicDelaunay& delaunay,
                     const IdVector<PointId, VertexId>& vertex_of_point, Points points,
                     const ListEdit<PointId>& change) {
-  require_edit(change, vertex_of_point.size(), points.size());
   PointStep step;
   for (const PointId p : change.removed) {
     step.removed.push_back(vertex_of_point[p]);

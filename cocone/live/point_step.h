@@ -26,7 +26,7 @@ struct PointStep {
 };
 
 // From the points that have these vertices to others; old_position[i]: where points[i] was, none if
-// it is new. Errors: InputError unless there is a position for each point, where an equal one was.
+// it is new. Precondition: require_positions(). Errors: InputError unless an equal one was there.
 // Complexity: O(n), a look at each point.
 PointStep plan_step(const DynamicDelaunay& delaunay,
                     const IdVector<PointId, VertexId>& vertex_of_point, Points points,
@@ -40,9 +40,8 @@ void require_positions(std::size_t points, std::span<const PointId> old_position
 // before, what comes among those after, both ascending. Complexity: O(change).
 void require_edit(const ListEdit<PointId>& change, std::size_t before, std::size_t after);
 
-// The same for points that stay in their order. Precondition: each vertex has one point.
-// Errors: InputError for a change of lists of other lengths. Complexity: O(change), and a copy of
-// vertex_of_point.
+// The same for points that stay in their order. Precondition: each vertex has one point;
+// require_edit(). Complexity: O(change), and a copy of vertex_of_point.
 PointStep plan_step(const DynamicDelaunay& delaunay,
                     const IdVector<PointId, VertexId>& vertex_of_point, Points points,
                     const ListEdit<PointId>& change);

@@ -22,12 +22,7 @@ void require_exact(Points points, double scale) {
 
 DelaunayResult triangulate_points(Points points, const DelaunayOptions& options,
                                   const Execution& execution) {
-  try {
-    require_comparable_sizes(points, execution);
-  } catch (const InputError&) {
-    require_finite(points);  // an infinite one is no far point
-    throw;
-  }
+  require_comparable_sizes(points, execution);
   const double scale = working_scale(points);
   if (scale == 1) return delaunay(points, options, execution);
   require_exact(points, scale);

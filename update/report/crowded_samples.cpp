@@ -49,30 +49,20 @@ Thickness thickness_of(Points samples, std::span<const PointId> apart, double di
   return {share, share * reach};
 }
 
-// Sets the flags of its members' samples but for those at places of `samples` that are apart.
+// Sets the flags of its members' samples but for those at these places, which are ascending.
 // Returns how many.
-std::size_t flag_all_but(std::span<const PointId> apart, Points samples, const JoinedCloud& cloud,
+std::size_t flag_all_but(Points places, const JoinedCloud& cloud,
+                         std::span<const std::vector<Point>> clouds,
                          std::vector<SampleFlags>& flags) {
-  std::vector<Point> left;
-  left.reserve(apart.size());
-  for (const PointId p : apart) left.push_back(samples[p.index()]);
-  std::sort(left.begin(), left.end());
   std::size_t flagged = 0;
-  auto sample = samples.begin();
   for (const std::size_t member : cloud.members) {
-    for (std::uint8_t& flag : flags[member]) {
-      flag = std::binary_search(left.begin(), left.end(), *sample++) ? 0 : 1;
-      flagged += flag;
+    auto flag = flags[member].begin();
+    for (const Point& sample : clouds[member]) {
+      *flag = std::binary_search(places.begin(), places.end(), sample) ? 0 : 1;
+      flagged += *flag++;
     }
   }
   return flagged;
-}
-
-// join_clouds() returns nothing if no two overlap.
-std::vector<JoinedCloud> each_by_itself(std::size_t clouds) {
-  std::vector<JoinedCloud> alone(clouds);
-  for (std::size_t c = 0; c < clouds; ++c) alone[c].members = {c};
-  return alone;
 }
 
 }  // namespace
@@ -91,21 +81,22 @@ CrowdedSamples crowded_samples(const ModelIndex& model, std::span<const VertexId
     for (const std::size_t member : cloud.members) {
       require_index("crowded_samples", "cloud", member, clouds.size());
     }
-    const std::vector<Point> samples = samples_of(cloud, clouds);
+    // Ascending; one that is given twice crowds nobody.
+    const std::vector<Point> samples = distinct_points(samples_of(cloud, clouds));
     const std::vector<PointId> apart = thin_points(samples, found.distance);
-    // A sample that is given twice crowds nobody.
-    const std::size_t different = samples.size() - repeated_points(samples).size();
-    const std::size_t closer = different - apart.size();
-    if (!are_many(closer, different, options)) continue;
+    const std::size_t closer = samples.size() - apart.size();
+    if (!are_many(closer, samples.size(), options)) continue;
     const FewSamples few = few_of_layers(samples, 1);
     if (found.distance > options.max_coarseness * few.distance) continue;
     const Thickness thickness = thickness_of(samples, apart, found.distance, few, execution);
     found.closer += closer;
-    found.of += different;
+    found.of += samples.size();
     found.thickness = std::max(found.thickness, thickness.share);
     found.depth = std::max(found.depth, thickness.length);
     if (thickness.share < options.min_thickness) continue;
-    found.in_layers += flag_all_but(apart, samples, cloud, found.is_in_layers);
+    std::vector<Point> places;
+    for (const PointId p : apart) places.push_back(samples[p.index()]);
+    found.in_layers += flag_all_but(places, cloud, clouds, found.is_in_layers);
   }
   return found;
 }

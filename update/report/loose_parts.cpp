@@ -34,12 +34,16 @@ LooseParts loose_parts(const TriangleMesh& mesh, VertexId first_new) {
   // By their first vertices, their roots.
   std::vector<std::size_t> sizes(count, 0);
   std::vector<Box> boxes(count);
+  std::vector<VertexId> first(count);  // lexicographically
   for (const Triangle& t : mesh.triangles) {
     if (!std::all_of(t.begin(), t.end(), is_new)) continue;
     const std::uint32_t part = parts.root(place_of(t[0]));
     if (is_held[part] != 0) continue;
     ++sizes[part];
-    for (const VertexId v : t) boxes[part].include(mesh.points[v]);
+    for (const VertexId v : t) {
+      boxes[part].include(mesh.points[v]);
+      if (first[part].is_none() || mesh.points[v] < mesh.points[first[part]]) first[part] = v;
+    }
   }
   for (std::uint32_t part = 0; part < count; ++part) {
     if (sizes[part] == 0) continue;
@@ -47,12 +51,7 @@ LooseParts loose_parts(const TriangleMesh& mesh, VertexId first_new) {
     found.extents.push_back(norm(boxes[part].size()));
     if (sizes[part] <= found.triangles) continue;
     found.triangles = sizes[part];
-    found.at = VertexId(first_new.value + part);
-  }
-  for (std::uint32_t place = 0; found.count > 0 && place < count; ++place) {
-    const VertexId v(first_new.value + place);
-    const bool is_in = parts.root(place) == parts.root(place_of(found.at));
-    if (is_in && mesh.points[v] < mesh.points[found.at]) found.at = v;
+    found.at = first[part];
   }
   return found;
 }

@@ -171,8 +171,7 @@ std::string warning_of_few_samples(const std::string& clouds, const std::string&
 std::string hint_of_layers(const std::string& clouds) {
   return clouds +
          ": samples lie in layers, are noisy, or are too few for what they show; register the "
-         "views, "
-         "leave out what crowds, or sample more densely";
+         "views, leave out what crowds, or sample more densely";
 }
 
 std::string warning_of_shared_regions(std::size_t regions) {

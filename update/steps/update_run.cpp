@@ -6,8 +6,11 @@ namespace cocoon {
 
 UpdateRun::UpdateRun(const TriangleMesh& mesh, std::span<const std::vector<Point>> of_user,
                      const UpdateOptions& update_options)
-    : model(mesh), given(of_user), clouds(of_user), options(update_options) {
-  for (std::size_t c = 0; c < clouds.size(); ++c) joined.push_back({.members = {c}, .sheet = {}});
+    : model(mesh),
+      given(of_user),
+      joined(each_by_itself(of_user.size())),
+      clouds(of_user),
+      options(update_options) {
   begin_clouds();
 }
 
