@@ -28,7 +28,8 @@ void run(const DemoArguments& arguments, Job& job) {
 
   write_mesh(output("initial.ply"), input.model, {}, job.outputs());
   write_points(output("cloud.ply"), input.clouds.front(), {}, job.outputs());
-  update_and_write(job, input, options, {output("updated.ply"), "", output("report.html"), {}});
+  write_update(job, input, updated(job, input, options), options,
+               {output("updated.ply"), "", output("report.html"), {}});
   job.finish(is_asked_for ? "" : output("report.json"));
 }
 

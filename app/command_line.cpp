@@ -188,6 +188,9 @@ void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared)
   add_mesh_output(*sub, update.mesh, update.writing,
                   keeps_properties + " (but for --session and, of MODEL, --densify)");
   add_densify(*sub, "MODEL", update.densify);
+  sub->add_flag("--keep-coarse", update.keep_coarse,
+                "Take the vertices of a mesh with large triangles alone, even if its surface is "
+                "lost so; otherwise samples are added as by --densify where that keeps it");
   sub->add_option("--map", update.map,
                   "Write one line per vertex or point of MODEL: its new index, or -1; not for STL, "
                   "which keeps no numbers of vertices; - = standard output")
@@ -254,6 +257,10 @@ void settle_model(const CLI::App& command, UpdateArguments& update) {
       throw UsageError(
           "a session has a dense model already: with --session leave out --densify, or give it to "
           "the reconstruct that begins the session");
+    }
+    if (update.keep_coarse) {
+      throw UsageError(
+          "a session takes its model as it is: with --session leave out --keep-coarse");
     }
     update.clouds.insert(update.clouds.begin(), std::move(update.model));
     update.model.clear();

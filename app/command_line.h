@@ -121,6 +121,7 @@ struct UpdateArguments {
   MeshWriteOptions writing;
   bool manifold = false;
   std::optional<double> densify;               // spacing of samples added to the model, a mesh
+  bool keep_coarse = false;                    // never adds any without being told to
   std::vector<std::uint32_t> replaced_groups;  // whatever their angles
   std::vector<std::uint32_t> kept_groups;      // likewise
   SurfaceArguments parameters;

@@ -19,6 +19,7 @@
 #include "app/files/files.h"
 #include "app/files/pending_clouds.h"
 #include "app/report/findings.h"
+#include "app/report/lost_surface.h"
 #include "app/report/update_findings.h"
 #include "app/report/update_report.h"
 #include "app/shapes/cloud_filter.h"
@@ -250,6 +251,8 @@ class Watch {
 
   void apply(DroppedClouds drop) {
     SessionUpdate update;
+    const bool is_first = count_notes(session_.notes()).applied == 0;
+    const TriangleMesh before = is_first ? session_.model() : TriangleMesh();
     const std::size_t local_before = session_.session().local_changes();
     try {
       update = session_.session().apply(drop.clouds, job_.execution());
@@ -259,6 +262,7 @@ class Watch {
       return refuse(drop, error.what());
     }
     if (update.result.status != UpdateStatus::ok) return refuse(drop, update.result.message);
+    if (is_first) add_lost_surface_warning(before, drop, update);
     // Where the surface is certain, and of all samples, there is nothing to find.
     const ReconstructResult& surface = update.result.reconstruction;
     if (session_.session().local_changes() == local_before || surface.unused_points > 0 ||
@@ -275,6 +279,14 @@ class Watch {
       if (filter_.strays) append_strays(job_.report(), drop.strays[k], applied.clouds[k].size());
     }
     say(told_applied(drop, update, filter_, options_));
+  }
+
+  // A mesh that is no dense sampling of its surface loses some with its first update.
+  void add_lost_surface_warning(const TriangleMesh& model, const DroppedClouds& drop,
+                                SessionUpdate& update) const {
+    const LostSurface lost = lost_surface(model, drop.clouds, update, session_.model());
+    if (!lost.warns) return;
+    update.result.warnings.push_back(warning_of_lost_surface(lost, arguments_.model, model));
   }
 
   // What is doubtful about the model, once no cloud waits for it: that takes passes over the whole.

@@ -42,17 +42,21 @@ void warn_of_handles(Job& job, const ModelInput& model, const TriangleMesh& surf
   warn_of_handles(job, model.name, *model.dense, mesh_check(surface, {}, job.execution()));
 }
 
+ModelInput of_dense(const std::string& name, DensifiedMesh dense) {
+  ModelInput model;
+  model.name = name;
+  model.mesh.points = IdVector<VertexId, Point>(std::exchange(dense.points, {}));
+  model.dense = std::move(dense);
+  return model;
+}
+
 }  // namespace
 
 ModelInput read_model_input(Job& job, const std::string& name, const std::optional<double>& spacing,
                             VertexProperties* properties) {
+  if (spacing) return of_dense(name, read_densified(job, name, *spacing));
   ModelInput model;
   model.name = name;
-  if (spacing) {
-    model.dense = read_densified(job, name, *spacing);
-    model.mesh.points = IdVector<VertexId, Point>(std::exchange(model.dense->points, {}));
-    return model;
-  }
   ModelFile file = read_model(job, name, "input", properties);
   if (!file.mesh.triangles.empty()) {
     leave_out_unused_vertices(job, name, "input", file, properties);
@@ -61,6 +65,10 @@ ModelInput read_model_input(Job& job, const std::string& name, const std::option
   model.mesh = std::move(file.mesh);
   model.vertex_of_file = std::move(file.vertex_of);
   return model;
+}
+
+ModelInput dense_model_input(Job& job, const std::string& name, ModelFile file, double spacing) {
+  return of_dense(name, densified(job, name, std::move(file), spacing));
 }
 
 ReconstructResult initial_model(Job& job, const std::string& name, const std::vector<Point>& points,

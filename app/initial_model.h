@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/model_file.h"
 #include "app/job.h"
 #include "app/shapes/densify.h"
 #include "cocone/known_labels.h"
@@ -33,6 +34,9 @@ struct ModelInput {
 // the section "input". Throws FileError, and InputError as read_densified.
 ModelInput read_model_input(Job& job, const std::string& name, const std::optional<double>& spacing,
                             VertexProperties* properties = nullptr);
+
+// What has been read before, made dense (densified).
+ModelInput dense_model_input(Job& job, const std::string& name, ModelFile file, double spacing);
 
 // The closed surface of a model given as points, as stage "initial_model"; its counts go to the
 // section "initial_model" of the report. Throws InputError if there is none.

@@ -23,6 +23,13 @@ struct JsonReport::Tree {
 JsonReport::JsonReport() : tree_(std::make_unique<Tree>()) {}
 JsonReport::~JsonReport() = default;
 JsonReport::JsonReport(JsonReport&&) noexcept = default;
+JsonReport& JsonReport::operator=(JsonReport&&) noexcept = default;
+
+JsonReport JsonReport::copy() const {
+  JsonReport result;
+  result.tree_->root = tree_->root;
+  return result;
+}
 
 void JsonReport::set(std::string_view path, bool value) { tree_->at(path) = value; }
 void JsonReport::set(std::string_view path, std::size_t value) { tree_->at(path) = value; }

@@ -15,8 +15,12 @@ class JsonReport {
   JsonReport();
   ~JsonReport();
   JsonReport(JsonReport&&) noexcept;
+  JsonReport& operator=(JsonReport&&) noexcept;
   JsonReport(const JsonReport&) = delete;
   JsonReport& operator=(const JsonReport&) = delete;
+
+  // As it is now: to go back to.
+  JsonReport copy() const;
 
   // Sets the value at `path`, names separated by '/'; objects on the way are made as needed. A
   // double that is not finite is written as null.

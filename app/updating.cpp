@@ -6,6 +6,7 @@
 #include "app/arguments/update_options.h"
 #include "app/files/carried_properties.h"
 #include "app/report/html_report.h"
+#include "app/report/lost_surface.h"
 #include "app/report/surface_report.h"
 #include "app/report/update_findings.h"
 #include "app/report/update_report.h"
@@ -19,7 +20,6 @@
 #include "geom/signed_distance.h"
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
-#include "update/report/lost_triangles.h"
 #include "update/report/vertex_origins.h"
 
 namespace cocoon::app {
@@ -103,40 +103,6 @@ MeshReport report_doubts(Job& job, const UpdateInput& input, UpdateResult& resul
   return certificate;
 }
 
-// Of a model that is sampled densely hardly any triangle is lost beside the change.
-void report_lost_triangles(Job& job, const UpdateInput& input, const MeshChange& change,
-                           UpdateResult& result) {
-  const AstrayOptions options;
-  const LostTriangles found =
-      lost_triangles(input.model, result.replacement.point_of_vertex, change.triangle_map);
-  job.report().set("update/staying_triangles", found.staying);
-  job.report().set("update/lost_triangles", found.lost.size());
-  const double least = options.min_lost_share * static_cast<double>(found.staying);
-  if (found.lost.empty() || static_cast<double>(found.lost.size()) < least) return;
-  const std::vector<Scan> scans = scans_of(input.clouds, result.clouds);
-  const AstrayTriangles astray =
-      astray_triangles(input.model, found.lost, result.mesh, scans, options);
-  const double share = astray.area / found.staying_area;
-  job.report().set("update/astray_area_share", share);
-  if (!(share > options.min_area_share)) return;
-  const bool is_coarse = std::all_of(scans.begin(), scans.end(), [&](const Scan& scan) {
-    return astray.median_longest_edge > options.coarse_ratio * scan.spacing;
-  });
-  std::string warning =
-      fmt::format("{:.0f} % of the surface of {} is not kept though nothing was scanned there",
-                  100 * share, input.model_name);
-  if (is_coarse) {
-    warning +=
-        ": it has too few vertices; make it dense first (--densify SPACING, about that of "
-        "the scans)";
-  } else {
-    const Triangle& corners = input.model.triangles[astray.largest];
-    warning += fmt::format(" ({}, as at {}); look at the result", counted(astray.count, "triangle"),
-                           place_name(input.model.points[corners[0]]));
-  }
-  result.warnings.push_back(std::move(warning));
-}
-
 // What the session keeps of its last update.
 void add_surface_of(const UpdateSession& session, UpdateResult& result) {
   result.reconstruction = session.reconstruction();
@@ -160,34 +126,43 @@ void add_overrides(JsonReport& report, const RegionOverrides& overrides) {
   add("parameters/keep_groups", overrides.kept);
 }
 
-// Without a session the change is empty.
-SessionUpdate update_or_throw(Job& job, const UpdateInput& input, const UpdateOptions& options,
-                              UpdateSession* session) {
+}  // namespace
+
+UpdateOutcome updated(Job& job, const UpdateInput& input, const UpdateOptions& options,
+                      UpdateSession* session) {
+  UpdateOutcome outcome;
   try {
     if (session == nullptr) {
-      return {update_model(input.model, input.clouds, options, job.execution()), {}};
+      outcome.update.result = update_model(input.model, input.clouds, options, job.execution());
+    } else {
+      outcome.update = session->apply(input.clouds, options.overrides, job.execution());
     }
-    SessionUpdate update = session->apply(input.clouds, options.overrides, job.execution());
-    if (update.result.status == UpdateStatus::ok) add_surface_of(*session, update.result);
-    return update;
   } catch (const InputError& error) {
     throw InputError(fmt::format("cannot update {}: {}", input.model_name,
                                  with_cloud_names(error.what(), input.cloud_names)));
   }
+  auto& [result, change] = outcome.update;
+  if (result.status != UpdateStatus::ok) return outcome;
+  if (session != nullptr) add_surface_of(*session, result);
+  timed(job.execution(), "check", [&] {
+    if (session == nullptr) change = mesh_change(input.model, result.mesh, result.vertex_map);
+    outcome.lost = lost_surface(input.model, input.clouds, outcome.update, result.mesh);
+  });
+  return outcome;
 }
 
-}  // namespace
-
-void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,
-                      const UpdateOutput& output, UpdateSession* session) {
-  SessionUpdate update = update_or_throw(job, input, options, session);
-  UpdateResult& result = update.result;
-  MeshChange& change = update.change;
+void write_update(Job& job, const UpdateInput& input, UpdateOutcome outcome,
+                  const UpdateOptions& options, const UpdateOutput& output) {
+  UpdateResult& result = outcome.update.result;
   report_verification(job.report(), input.model_name, result.reconstruction.verification);
   if (result.status != UpdateStatus::ok) {
     throw InputError(
         fmt::format("cannot update {} ({}): {}", input.model_name, name_of(result.status),
                     with_option_names(with_cloud_names(result.message, input.cloud_names))));
+  }
+  add_lost_surface(job.report(), outcome.lost);
+  if (outcome.lost.warns) {
+    result.warnings.push_back(warning_of_lost_surface(outcome.lost, input.model_name, input.model));
   }
   for (std::string& warning : result.warnings) {
     warning = with_cloud_names(warning, input.cloud_names);
@@ -195,13 +170,11 @@ void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& o
   const NoiseFilter filter = noise_filter_of_update(!input.strays.empty());
   std::vector<std::string> notes = notes_of_clouds(result, input.cloud_names, options);
   MeshReport certificate = timed(job.execution(), "check", [&] {
-    if (session == nullptr) change = mesh_change(input.model, result.mesh, result.vertex_map);
-    report_lost_triangles(job, input, change, result);
     return report_doubts(job, input, result, filter, output.manifold, notes);
   });
   VertexProperties properties = properties_of_update(job, input, result);
   if (output.manifold) {
-    certificate = make_manifold(job, {output.mesh, session != nullptr}, result.mesh, properties);
+    certificate = make_manifold(job, {output.mesh, output.keeps_session}, result.mesh, properties);
   }
   UpdateRecord record{input.model_name, input.model, input.cloud_names,
                       input.clouds,     result,      certificate};

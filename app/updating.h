@@ -2,33 +2,20 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "app/job.h"
-#include "geom/id_vector.h"
-#include "geom/point.h"
-#include "geom/triangle_mesh.h"
+#include "app/report/lost_surface.h"
+#include "app/update_input.h"
 #include "io/mesh_file_options.h"
-#include "io/vertex_properties.h"
-#include "update/stray_samples.h"
 #include "update/update_model.h"
 #include "update/update_session.h"
 
 namespace cocoon::app {
 
-// What goes in: the model and the clouds, with names for people.
-struct UpdateInput {
-  std::string model_name;
-  TriangleMesh model;
-  std::vector<std::string> cloud_names;
-  std::vector<std::vector<Point>> clouds;
-  // Of the model and of each cloud, to be carried to the output; empty: nothing is carried.
-  std::vector<VertexProperties> properties;
-  // Of each vertex or point of the model's file the vertex of `model`, or none, where they differ.
-  // Empty: the vertices are those of the file.
-  IdVector<VertexId, VertexId> vertex_of_file = {};
-  // What was left out of each cloud; empty: they were not filtered.
-  std::vector<StraySamples> strays = {};
+// What came out, and what was lost of the model.
+struct UpdateOutcome {
+  SessionUpdate update;
+  LostSurface lost;  // if it is ok
 };
 
 // What to write; empty: not wanted.
@@ -38,12 +25,17 @@ struct UpdateOutput {
   std::string html;
   MeshWriteOptions writing;
   bool manifold = false;
+  bool keeps_session = false;  // a session is written, too
 };
 
-// Updates (by the session, if there is one, whose model is then input.model), writes the outputs
-// (which wait for job.finish), and fills in the report. Throws InputError, with the library's
-// explanation, if there is no updated model; then nothing is written.
-void update_and_write(Job& job, const UpdateInput& input, const UpdateOptions& options,
-                      const UpdateOutput& output, UpdateSession* session = nullptr);
+// Updates the model, by the session, if there is one, whose model is then input.model. The result
+// need not be ok. Throws InputError as update_model.
+UpdateOutcome updated(Job& job, const UpdateInput& input, const UpdateOptions& options,
+                      UpdateSession* session = nullptr);
+
+// Writes the outputs, which wait for job.finish, and fills in the report. Throws InputError, with
+// the library's explanation, if there is no updated model; then nothing is written.
+void write_update(Job& job, const UpdateInput& input, UpdateOutcome outcome,
+                  const UpdateOptions& options, const UpdateOutput& output);
 
 }  // namespace cocoon::app

@@ -26,10 +26,12 @@ void require_options(const char* stage, const AngleOptions& options) {
 
 void require_options(const char* stage, const AstrayOptions& options) {
   require_amounts(stage, {{"astray.tolerance", options.tolerance},
+                          {"astray.most_spacings", options.most_spacings},
                           {"astray.reach", options.reach},
                           {"astray.coarse_ratio", options.coarse_ratio}});
   require_shares(stage, {{"astray.min_lost_share", options.min_lost_share},
-                         {"astray.min_area_share", options.min_area_share}});
+                         {"astray.min_area_share", options.min_area_share},
+                         {"astray.min_coarse_share", options.min_coarse_share}});
 }
 
 void require_options(const char* stage, const ChoiceOptions& options) {

@@ -125,6 +125,9 @@ void require_rules(const UpdateArguments& arguments) {
                      ": STL does not keep the numbers of vertices that --map writes; use .ply, "
                      ".obj or .off, or leave out --map");
   }
+  if (arguments.densify && arguments.keep_coarse) {
+    throw UsageError("--densify adds samples and --keep-coarse none: leave out one of them");
+  }
   require_possible_groups(arguments);
   require_use_of_filter(arguments.filter);
 }

@@ -45,23 +45,16 @@ KnownLabelsSource conform(Job& job, TriangleMesh mesh, const MeshReport& certifi
 
 }  // namespace
 
-DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) {
-  ModelFile model = read_model(job, path, "input");
+DensifiedMesh densified(Job& job, const std::string& name, ModelFile model, double spacing) {
   TriangleMesh& mesh = model.mesh;
-  if (mesh.triangles.empty()) {
-    throw InputError(path +
-                     ": --densify needs a mesh, and this file has no triangles; give the mesh, or "
-                     "leave --densify out");
-  }
-  leave_out_unused_vertices(job, path, "input", model);
   const std::vector<Point> added = timed(job.execution(), "dense_samples", [&] {
-    return naming_input(path,
+    return naming_input(name,
                         [&] { return dense_samples(mesh, {.spacing = spacing}, job.execution()); });
   });
   job.report().set("parameters/densify", spacing);
   job.report().set("input/vertices", mesh.points.size());
   job.report().set("input/added_samples", added.size());
-  job.say("{}: {} added to {}", path, counted(added.size(), "sample"),
+  job.say("{}: {} added to {}", name, counted(added.size(), "sample"),
           counted(mesh.points.size(), "vertex", "vertices"));
   DensifiedMesh dense;
   dense.points = mesh.points.raw();
@@ -74,17 +67,28 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
   dense.certificate = mesh_check(mesh, {}, job.execution());
   if (dense.certificate.balanced) {
     dense.labels = run_step(job.execution(), "conforming", [&](const Execution& nested) {
-      return naming_input(path, [&] {
+      return naming_input(name, [&] {
         return conform(job, std::move(mesh), dense.certificate, spacing, dense.points, nested);
       });
     });
   } else {
-    job.warn(path +
+    job.warn(name +
              ": is not closed, so that only the samples tell its inside from its outside; where "
              "walls are thinner than the spacing they may be torn (cocoon check tells where it is "
              "open)");
   }
   return dense;
+}
+
+DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) {
+  ModelFile model = read_model(job, path, "input");
+  if (model.mesh.triangles.empty()) {
+    throw InputError(path +
+                     ": --densify needs a mesh, and this file has no triangles; give the mesh, or "
+                     "leave --densify out");
+  }
+  leave_out_unused_vertices(job, path, "input", model);
+  return densified(job, path, std::move(model), spacing);
 }
 
 void warn_of_handles(Job& job, const std::string& path, const DensifiedMesh& dense,

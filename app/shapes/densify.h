@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/model_file.h"
 #include "app/job.h"
 #include "cocone/known_labels.h"
 #include "geom/id_vector.h"
@@ -21,12 +22,15 @@ struct DensifiedMesh {
   MeshReport certificate;    // of the mesh
 };
 
-// Reads a mesh (read_model), as stage "read", leaves out vertices that no triangle uses, with a
-// warning, and adds samples about `spacing` apart, as stage "dense_samples". Of a closed mesh more
-// are added, as stage "conforming_samples", if the surface of those has another Euler number, other
-// parts or other contacts than the mesh: to find out they are reconstructed. How many goes to the
-// report and the summary. Warns of a mesh that is not closed. Throws InputError if the file has no
-// triangles, or if the spacing is too small for it.
+// Adds samples about `spacing` apart to a mesh all of whose vertices are used, as stage
+// "dense_samples". Of a closed mesh more are added, as stage "conforming", if the surface of those
+// has another Euler number, other parts or other contacts than the mesh: to find out they are
+// reconstructed. How many goes to the report and the summary. Warns of a mesh that is not closed.
+// Throws InputError if the spacing is too small for it.
+DensifiedMesh densified(Job& job, const std::string& name, ModelFile model, double spacing);
+
+// The same for a file, as stage "read": reads it (read_model), and leaves out vertices that no
+// triangle uses, with a warning. Throws FileError, and InputError if it has no triangles.
 DensifiedMesh read_densified(Job& job, const std::string& path, double spacing);
 
 // Warns if the surface of the samples has more or fewer handles than the mesh, both closed and of

@@ -69,6 +69,22 @@ Json report_of(const std::vector<std::string>& arguments, std::string& error) {
   return Json::parse(run.out);
 }
 
+std::vector<int> new_places(const std::string& map) {
+  std::ifstream file(map);
+  return {std::istream_iterator<int>(file), {}};
+}
+
+// Where the vertices of one mesh are in the other; -1: nowhere.
+std::vector<int> places_of_vertices(const TriangleMesh& mesh, const TriangleMesh& other) {
+  std::vector<int> places;
+  const std::vector<Point>& points = other.points.raw();
+  for (const Point& p : mesh.points) {
+    const auto found = std::find(points.begin(), points.end(), p);
+    places.push_back(found == points.end() ? -1 : static_cast<int>(found - points.begin()));
+  }
+  return places;
+}
+
 TEST(Densify, MakesAPartFitForUpdates) {
   const TemporaryFolder folder;
   const std::string part = folder.write("part.off", gear());
@@ -77,7 +93,7 @@ TEST(Densify, MakesAPartFitForUpdates) {
   const std::string updated = folder.file("updated.ply");
   std::string error;
 
-  Json report = report_of({"update", part, cloud, "-o", updated}, error);
+  Json report = report_of({"update", part, cloud, "-o", updated, "--keep-coarse"}, error);
   EXPECT_GT(report["update"]["astray_area_share"].get<double>(), 0.3);
   EXPECT_NE(report["warnings"].dump().find("--densify"), std::string::npos);
 
@@ -117,27 +133,104 @@ TEST(Densify, IsSuggestedForABracketOfFewTriangles) {
                          "4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n");
   const std::string cloud = folder.write("knob.xyz", knob());
   std::string error;
-  const Json report =
-      report_of({"update", bracket, cloud, "-o", folder.file("updated.ply")}, error);
+  const Json report = report_of(
+      {"update", bracket, cloud, "-o", folder.file("updated.ply"), "--keep-coarse"}, error);
   EXPECT_LT(report["update"]["lost_triangles"].get<int>(), 20);
   EXPECT_GT(report["update"].value("astray_area_share", 0.0), 0.05);
   EXPECT_NE(report["warnings"].dump().find("--densify"), std::string::npos) << report["warnings"];
 }
 
-std::vector<int> new_places(const std::string& map) {
-  std::ifstream file(map);
-  return {std::istream_iterator<int>(file), {}};
+// The same result as with the option that the warning names.
+TEST(Densify, IsDoneWithoutBeingAskedWhereSurfaceWouldBeLost) {
+  const TemporaryFolder folder;
+  const std::string part = folder.write("part.off", gear());
+  const std::string cloud = folder.write("knob.xyz", knob());
+  const std::string unasked = folder.file("unasked.ply");
+  const std::string asked = folder.file("asked.ply");
+  const std::string map = folder.file("map.txt");
+  std::string error;
+  Json report = report_of({"update", part, cloud, "-o", unasked, "--map", map}, error);
+  const Json coarse = report["update"]["coarse_model"];
+  EXPECT_EQ(coarse["status"], "ok");
+  EXPECT_EQ(coarse["made_dense"], true);
+  EXPECT_GT(coarse["astray_area_share"].get<double>(), 0.3);
+  EXPECT_EQ(coarse["spacing"], report["parameters"]["densify"]);
+  EXPECT_NEAR(coarse["spacing"].get<double>(), 0.09, 0.02);  // of the knob's samples
+  EXPECT_FALSE(report["update"].contains("astray_area_share"));
+  const std::string option = coarse["spacing"].dump();
+  ASSERT_EQ(report["warnings"].size(), 1U) << report["warnings"];
+  EXPECT_NE(report["warnings"][0].get<std::string>().find("--densify " + option),
+            std::string::npos);
+  EXPECT_EQ(report["surface"]["genus"], 0);
+  EXPECT_EQ(new_places(map), places_of_vertices(read_mesh(part), read_mesh(unasked)));
+
+  report = report_of({"update", part, cloud, "-o", asked, "--densify", option}, error);
+  EXPECT_FALSE(report["update"].contains("coarse_model"));
+  EXPECT_EQ(report["warnings"].size(), 0U) << report["warnings"];
+  EXPECT_EQ(content_of(unasked), content_of(asked));
 }
 
-// Where the vertices of one mesh are in the other; -1: nowhere.
-std::vector<int> places_of_vertices(const TriangleMesh& mesh, const TriangleMesh& other) {
-  std::vector<int> places;
-  const std::vector<Point>& points = other.points.raw();
+// A dense model is left as it is, and so is one with colors, which samples between have not.
+TEST(Densify, IsNotDoneWithoutBeingAskedOfDenseModelsAndColoredOnes) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("knob.xyz", knob());
+  const std::string updated = folder.file("updated.ply");
+  const std::string part = folder.write("part.off", gear());
+  const std::string dense = folder.file("dense.ply");
+  std::string error;
+  report_of({"reconstruct", part, "-o", dense, "--densify", "0.12"}, error);
+  Json report = report_of({"update", dense, cloud, "-o", updated}, error);
+  EXPECT_FALSE(report["update"].contains("coarse_model"));
+  EXPECT_FALSE(report["parameters"].contains("densify"));
+
+  const std::string off = folder.write("plain.off", gear());
+  const TriangleMesh mesh = read_mesh(off);
+  std::string colored =
+      "ply\nformat ascii 1.0\nelement vertex 42\nproperty double x\nproperty double y\n"
+      "property double z\nproperty uchar red\nelement face 80\n"
+      "property list uchar int vertex_indices\nend_header\n";
   for (const Point& p : mesh.points) {
-    const auto found = std::find(points.begin(), points.end(), p);
-    places.push_back(found == points.end() ? -1 : static_cast<int>(found - points.begin()));
+    const std::string line = point_line(p.x, p.y, p.z);
+    colored += line.substr(0, line.size() - 1) + " 200\n";
   }
-  return places;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    colored += "3 " + std::to_string(a.value) + " " + std::to_string(b.value) + " " +
+               std::to_string(c.value) + "\n";
+  }
+  report = report_of({"update", folder.write("colored.ply", colored), cloud, "-o", updated}, error);
+  EXPECT_FALSE(report["update"].contains("coarse_model"));
+  EXPECT_NE(report["warnings"].dump().find("make it dense first (--densify SPACING"),
+            std::string::npos)
+      << report["warnings"];
+}
+
+// Numbers of groups are those of the model that the same update without them takes.
+TEST(Densify, WithoutBeingAskedIsTheSameWhenGroupsAreNamed) {
+  const TemporaryFolder folder;
+  const std::string part = folder.write("part.off", gear());
+  const std::string cloud = folder.write("knob.xyz", knob());
+  const std::string free = folder.file("free.ply");
+  const std::string named = folder.file("named.ply");
+  std::string error;
+  Json report = report_of({"update", part, cloud, "-o", free}, error);
+  const Json replaced = report["update"]["clouds"][0]["replaced_groups"];
+  ASSERT_EQ(replaced.size(), 1U);
+  report = report_of({"update", part, cloud, "-o", named, "--replace-groups", replaced[0].dump()},
+                     error);
+  EXPECT_EQ(report["update"]["coarse_model"]["made_dense"], true);
+  EXPECT_EQ(content_of(named), content_of(free));
+}
+
+TEST(Densify, IsNamedByWatchWithItsFirstCloud) {
+  const TemporaryFolder folder;
+  const TemporaryFolder drop;
+  drop.write("knob.xyz", knob());
+  const ProgramRun run =
+      run_program({"watch", folder.write("part.off", gear()), drop.file(""), "-o",
+                   folder.file("watched.ply"), "--once", "--settle", "0", "--poll", "0.01"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.out.find("% of the surface of"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("--densify SPACING"), std::string::npos) << run.out;
 }
 
 // In one go, as a session and by watching a folder: the same mesh.
@@ -219,6 +312,12 @@ TEST(Densify, NeedsNoNoiseFilterAndNoSessionThatHasAModel) {
   run = run_program({"update", "--session", "x.session", "c.xyz", "-o", "m.ply", "--densify", "1"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.error.find("--densify"), std::string::npos) << run.error;
+  run = run_program({"update", "m.off", "c.xyz", "-o", "m.ply", "--densify", "1", "--keep-coarse"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.error.find("--keep-coarse"), std::string::npos) << run.error;
+  run = run_program({"update", "--session", "x.session", "c.xyz", "-o", "m.ply", "--keep-coarse"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.error.find("--keep-coarse"), std::string::npos) << run.error;
 }
 
 // A gear of a third of the spacing.
