@@ -1,168 +1,214 @@
 #include "app/coarse_model.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <fmt/format.h>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "geom/errors.h"
 #include "geom/mesh/triangles_by_area.h"
+#include "geom/search/closest_facet.h"
 #include "geom/search/neighbor_distance.h"
 #include "update/report/cloud_report.h"
 #include "update/report/lost_triangles.h"
+#include "update/report/model_places.h"
 
 namespace cocoon::app {
 
 namespace {
 
-// In two digits, as it is told: --densify with this number gives the same.
-double spacing_of(const std::vector<std::vector<Point>>& clouds, std::size_t neighbor) {
+double spacing_of(const std::vector<std::vector<Point>>& clouds, const CoarseModelOptions& coarse) {
   double spacing = 0;
   for (const std::vector<Point>& cloud : clouds) {
-    spacing = std::max(spacing, median_neighbor_distance(cloud, neighbor));
+    spacing =
+        std::max(spacing, coarse.neighbor_share * median_neighbor_distance(cloud, coarse.neighbor));
   }
+  return spacing;
+}
+
+// In two digits, as it is told: --densify with this number gives the same.
+double spacing_to_try(const UpdateInput& input, const CoarseModelOptions& coarse) {
+  const double area = TrianglesByArea(input.model).area();
+  const double spacing =
+      std::max(spacing_of(input.clouds, coarse), std::sqrt(area / coarse.most_samples));
   return std::strtod(fmt::format("{:.2g}", spacing).c_str(), nullptr);
 }
 
-struct LargeTriangles {
-  double area = 0;   // of all triangles
-  double share = 0;  // of it in large ones
-};
-
-LargeTriangles large_triangles(const TriangleMesh& mesh, double limit) {
-  LargeTriangles result;
+// Whether triangles longer than so many spacings are at least this share of the model's area.
+bool has_large_triangles(const UpdateInput& input, double share, const CoarseModelOptions& coarse) {
+  const double limit = coarse.large * spacing_of(input.clouds, coarse);
+  double area = 0;
   double large = 0;
-  for (const TriangleId t : mesh.triangles.ids()) {
-    const auto [a, b, c] = corners_of(mesh, t);
-    const double area = area_of(mesh, t);
-    result.area += area;
-    if (std::max({distance(a, b), distance(b, c), distance(c, a)}) > limit) large += area;
+  for (const TriangleId t : input.model.triangles.ids()) {
+    const auto [a, b, c] = corners_of(input.model, t);
+    const double own = area_of(input.model, t);
+    area += own;
+    if (std::max({distance(a, b), distance(b, c), distance(c, a)}) > limit) large += own;
   }
-  if (result.area > 0) result.share = large / result.area;
-  return result;
+  return large > 0 && large >= share * area;
+}
+
+// Whether it is worth a trial to make the model dense.
+bool is_coarse(const UpdateInput& input, const UpdateOutcome& outcome,
+               const CoarseModelOptions& coarse) {
+  if (outcome.update.result.status == UpdateStatus::ok) {
+    return outcome.lost.large_share > AstrayOptions().min_coarse_share;
+  }
+  return has_large_triangles(input, coarse.min_large_share_if_refused, coarse);
 }
 
 bool has_properties(const UpdateInput& input) {
   return !input.properties.empty() && !input.properties.front().columns.empty();
 }
 
-// Where each vertex of the model went when it was made dense and updated; none: it has gone.
-IdVector<VertexId, PointId> points_after(const UpdateInput& model, const UpdateInput& dense,
-                                         const UpdateResult& result) {
-  IdVector<VertexId, PointId> point_of_vertex(model.model.points.size());
-  for (const VertexId of_file : dense.vertex_of_file.ids()) {
-    const VertexId at = model.vertex_of_file.empty() ? of_file : model.vertex_of_file[of_file];
-    const VertexId in_dense = dense.vertex_of_file[of_file];
-    if (at.is_none() || in_dense.is_none()) continue;
-    point_of_vertex[at] = result.replacement.point_of_vertex[in_dense];
-  }
-  return point_of_vertex;
-}
-
-// The triangles of the model that stay in both updates.
-std::vector<TriangleId> staying_triangles(const TriangleMesh& model,
-                                          const IdVector<VertexId, PointId>& first,
-                                          const IdVector<VertexId, PointId>& second) {
-  std::vector<TriangleId> staying;
-  for (const TriangleId t : model.triangles.ids()) {
-    const Triangle& corners = model.triangles[t];
-    const bool stays = std::none_of(corners.begin(), corners.end(), [&](VertexId v) {
-      return first[v].is_none() || second[v].is_none();
-    });
-    if (stays) staying.push_back(t);
-  }
-  return staying;
-}
-
-// Whether the dense one keeps more of the surface of the mesh.
-bool keeps_more(const UpdateInput& input, const UpdateOutcome& outcome, const UpdateInput& dense,
-                const UpdateOutcome& outcome_of_dense, const CoarseModelOptions& coarse) {
-  const UpdateResult& result = outcome.update.result;
-  const UpdateResult& of_dense = outcome_of_dense.update.result;
-  if (of_dense.status != UpdateStatus::ok) return false;
-  if (result.status != UpdateStatus::ok) return !outcome_of_dense.lost.warns;
-  const std::vector<TriangleId> staying = staying_triangles(
-      input.model, result.replacement.point_of_vertex, points_after(input, dense, of_dense));
-  const std::vector<Scan> scans = scans_of(input.clouds, result.clouds);
-  const auto lost_area = [&](const TriangleMesh& updated) {
-    return astray_triangles(input.model, staying, updated, scans).area;
-  };
-  return lost_area(of_dense.mesh) <= coarse.max_lost * lost_area(result.mesh);
-}
-
-std::string warning_of(const UpdateInput& input, const UpdateOutcome& outcome, double spacing) {
-  const UpdateResult& result = outcome.update.result;
-  const std::string what =
-      result.status == UpdateStatus::ok
-          ? fmt::format("{:.0f} % of its surface would be lost", 100 * *outcome.lost.share)
-          : fmt::format("it cannot be updated so ({})", name_of(result.status));
-  return fmt::format(
-      "{} has few vertices and large triangles, and {}: it was made dense first (as by --densify "
-      "{}; --keep-coarse takes its vertices alone)",
-      input.model_name, what, spacing);
-}
-
-void add_coarse_model(JsonReport& report, const UpdateOutcome& outcome, double spacing,
-                      bool is_taken) {
-  report.set("update/coarse_model/status", std::string(name_of(outcome.update.result.status)));
-  if (outcome.lost.share) {
-    report.set("update/coarse_model/astray_area_share", *outcome.lost.share);
-  }
-  report.set("update/coarse_model/spacing", spacing);
-  report.set("update/coarse_model/made_dense", is_taken);
-}
-
-// The same made dense and updated, if that keeps more of the surface.
+// The same made dense and updated.
 struct DenseUpdate {
   UpdateInput input;
   UpdateOutcome outcome;
 };
 
-std::optional<DenseUpdate> made_dense(Job& job, const UpdateInput& input,
-                                      const UpdateOutcome& outcome, const UpdateOptions& options,
-                                      double spacing, const CoarseModelOptions& coarse) {
-  JsonReport before = job.report().copy();
-  try {
-    DenseUpdate dense{with_dense_model(job, input, spacing, options.reconstruct), {}};
-    dense.outcome = updated(job, dense.input, options);
-    if (keeps_more(input, outcome, dense.input, dense.outcome, coarse)) return dense;
-  } catch (const InputError&) {
-    // Its samples have no surface, or none that can be updated: the first outcome stands.
+// Of each place whether its surface goes with the change of the dense model.
+std::vector<std::uint8_t> are_replaced(const std::vector<ModelPlace>& places,
+                                       const DenseUpdate& dense) {
+  const ClosestFacetTree tree(dense.input.model);
+  const auto& point_of_vertex = dense.outcome.update.result.replacement.point_of_vertex;
+  std::vector<std::uint8_t> replaced;
+  for (const ModelPlace& place : places) {
+    const ClosestFacet facet = tree.closest(place.at);
+    const Triangle& corners = dense.input.model.triangles[facet.triangle];
+    const bool goes = std::any_of(corners.begin(), corners.end(),
+                                  [&](VertexId v) { return point_of_vertex[v].is_none(); });
+    replaced.push_back(goes && facet.squared_distance <= place.reach * place.reach ? 1 : 0);
   }
-  job.report() = std::move(before);
+  return replaced;
+}
+
+// Areas of the model where nothing was scanned, by which of the two updates passes there.
+struct KeptAreas {
+  double all = 0;
+  double only_dense = 0;  // the one of the dense model
+  double only_first = 0;  // where it is no part of what the change of the dense model replaced
+  double neither = 0;     // likewise
+};
+
+KeptAreas kept_areas(const UpdateInput& input, const UpdateOutcome& outcome,
+                     const DenseUpdate& dense) {
+  std::vector<TriangleId> all;
+  for (const TriangleId t : input.model.triangles.ids()) all.push_back(t);
+  const UpdateResult& result = outcome.update.result;
+  const UpdateResult& of_dense = dense.outcome.update.result;
+  const std::vector<ModelPlace> places =
+      unscanned_places(input.model, all, scans_of(input.clouds, of_dense.clouds));
+  const std::vector<std::uint8_t> off_dense = are_off(places, of_dense.mesh);
+  const std::vector<std::uint8_t> off_first = result.status == UpdateStatus::ok
+                                                  ? are_off(places, result.mesh)
+                                                  : std::vector<std::uint8_t>(places.size(), 1);
+  const std::vector<std::uint8_t> replaced = are_replaced(places, dense);
+  KeptAreas areas;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const double area = places[k].area;
+    areas.all += area;
+    if (off_dense[k] == 0) {
+      areas.only_dense += off_first[k] != 0 ? area : 0;
+    } else if (replaced[k] == 0) {
+      (off_first[k] != 0 ? areas.neither : areas.only_first) += area;
+    }
+  }
+  return areas;
+}
+
+// What the update of the dense model, which is ok, keeps more of the surface, as a share of it; 0:
+// not enough.
+double share_gained(const UpdateInput& input, const UpdateOutcome& outcome,
+                    const DenseUpdate& dense, const CoarseModelOptions& coarse) {
+  const KeptAreas areas = kept_areas(input, outcome, dense);
+  const AstrayOptions astray;
+  const bool is_enough =
+      outcome.update.result.status == UpdateStatus::ok
+          ? areas.only_dense > astray.min_coarse_share * areas.all &&
+                areas.only_first <= coarse.max_given_up * areas.only_dense
+          : areas.only_dense > 0 && areas.neither <= astray.min_area_share * areas.all;
+  return is_enough ? areas.only_dense / areas.all : 0;
+}
+
+std::string warning_of(const UpdateInput& input, const UpdateResult& result, double share,
+                       double spacing) {
+  const std::string what =
+      result.status == UpdateStatus::ok
+          ? fmt::format("{:.2g} % of its surface would be lost", 100 * share)
+          : fmt::format("it cannot be updated so ({})", name_of(result.status));
+  return fmt::format(
+      "{} has large triangles, and {}: it was made dense first (as by --densify {}; --keep-coarse "
+      "takes its vertices alone)",
+      input.model_name, what, spacing);
+}
+
+// Why it is not taken; empty: it is, and the job was told so. Fills in what of it can be.
+std::string try_dense(Job& job, const UpdateInput& input, const UpdateOutcome& outcome,
+                      const UpdateOptions& options, double spacing,
+                      const CoarseModelOptions& coarse, DenseUpdate& dense) {
+  const std::string made_dense = fmt::format("made dense (--densify {}) it ", spacing);
+  try {
+    dense.input = with_dense_model(job, input, spacing, options.reconstruct);
+    dense.outcome = updated(job, dense.input, options);
+  } catch (const InputError&) {
+    return made_dense + "has no surface";
+  }
+  const UpdateResult& result = dense.outcome.update.result;
+  if (result.status != UpdateStatus::ok) {
+    return made_dense + fmt::format("cannot be updated ({})", name_of(result.status));
+  }
+  const double share =
+      timed(job.execution(), "check", [&] { return share_gained(input, outcome, dense, coarse); });
+  if (!(share > 0)) return made_dense + "keeps no more";
+  const UpdateResult& first = outcome.update.result;
+  if (first.status == UpdateStatus::ok) {
+    job.report().set("update/coarse_model/lost_area_share", share);
+  }
+  job.warn(warning_of(input, first, share, spacing));
   return {};
+}
+
+// Input and outcome become those of the dense model, if that keeps more of the surface.
+void make_dense(Job& job, UpdateInput& input, UpdateOutcome& outcome, const UpdateOptions& options,
+                const CoarseModelOptions& coarse) {
+  const double spacing = spacing_to_try(input, coarse);
+  if (!(spacing > 0)) return;
+  DenseUpdate dense;
+  job.begin_trial();
+  outcome.lost.tried = try_dense(job, input, outcome, options, spacing, coarse, dense);
+  const bool is_taken = outcome.lost.tried.empty();
+  job.end_trial(is_taken);
+  JsonReport& report = job.report();
+  report.set("update/coarse_model/status", std::string(name_of(outcome.update.result.status)));
+  report.set("update/coarse_model/spacing", spacing);
+  report.set("update/coarse_model/made_dense", is_taken);
+  if (!is_taken) return;
+  input = std::move(dense.input);
+  outcome = std::move(dense.outcome);
 }
 
 }  // namespace
 
 UpdateOutcome updated_dense_enough(Job& job, UpdateInput& input, const UpdateOptions& options,
                                    const CoarseModelOptions& coarse) {
-  if (!input.is_mesh_of_file || has_properties(input)) return updated(job, input, options);
-  const double spacing = spacing_of(input.clouds, coarse.neighbor);
-  const LargeTriangles large = large_triangles(input.model, coarse.large * spacing);
-  const bool may_be_coarse = spacing > 0 && large.share >= coarse.min_large_share &&
-                             large.area <= coarse.most_samples * spacing * spacing;
-  if (!may_be_coarse) return updated(job, input, options);
+  const bool says_regions = !options.overrides.is_empty();
+  if (!input.is_mesh_of_file || has_properties(input) ||
+      (says_regions && !has_large_triangles(input, coarse.min_large_share, coarse))) {
+    return updated(job, input, options);
+  }
   UpdateOptions unsaid = options;
   unsaid.overrides = {};
   UpdateOutcome outcome = updated(job, input, unsaid);
-  const bool is_coarse = outcome.update.result.status == UpdateStatus::ok
-                             ? outcome.lost.is_coarse
-                             : large.share >= coarse.min_large_share_if_refused;
-  if (is_coarse) {
-    std::optional<DenseUpdate> dense = made_dense(job, input, outcome, unsaid, spacing, coarse);
-    add_coarse_model(job.report(), outcome, spacing, dense.has_value());
-    if (!dense) outcome.lost.tried = spacing;
-    if (dense) {
-      job.warn(warning_of(input, outcome, spacing));
-      input = std::move(dense->input);
-      outcome = std::move(dense->outcome);
-    }
-  }
-  return options.overrides.is_empty() ? std::move(outcome) : updated(job, input, options);
+  if (is_coarse(input, outcome, coarse)) make_dense(job, input, outcome, unsaid, coarse);
+  if (!says_regions) return outcome;
+  UpdateOutcome said = updated(job, input, options);
+  said.lost.tried = outcome.lost.tried;
+  return said;
 }
 
 }  // namespace cocoon::app

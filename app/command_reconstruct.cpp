@@ -193,13 +193,14 @@ void run(const ReconstructArguments& arguments, Job& job) {
   std::optional<LockFile> lock;
   if (!arguments.session.empty()) lock.emplace(arguments.session);
   const bool tight = arguments.surface == SurfaceKind::tight;
-  const StageOptions stages = options_of(arguments);
+  StageOptions stages = options_of(arguments);
   const ReconstructOptions& options = stages.surface;
   VertexProperties properties;
   const bool keep = holds_properties(arguments.mesh);
   std::size_t faces = 0;
   const DensifiedMesh input = read_input(job, arguments, keep ? &properties : nullptr, faces);
   const std::vector<Point>& points = input.points;
+  if (input.has_hollow) stages.surface.keep_cavities = true;
   std::optional<UpdateSession> session;
   std::vector<Finding> findings;
   ReconstructResult result = naming_input(arguments.points, [&] {

@@ -39,6 +39,10 @@ void filter_input(Job& job, const CloudFilter& filter, UpdateInput& input) {
   input.strays = filter_clouds(job, filter, input.cloud_names, input.clouds, properties);
 }
 
+bool keeps_coarse(const UpdateArguments& arguments) {
+  return arguments.keep_coarse || arguments.parameters.mode == Mode::paper;
+}
+
 UpdateOutput output_of(const UpdateArguments& arguments) {
   return {arguments.mesh, arguments.map, arguments.html, arguments.writing, arguments.manifold};
 }
@@ -98,8 +102,9 @@ void run(const UpdateArguments& arguments, Job& job) {
   UpdateInput input = read_update_input(job, arguments, options);
   refuse_model_as_cloud(input);
   filter_input(job, filter, input);
-  UpdateOutcome outcome = arguments.keep_coarse ? updated(job, input, options)
-                                                : updated_dense_enough(job, input, options);
+  job.report().set("parameters/keep_coarse", keeps_coarse(arguments));
+  UpdateOutcome outcome = keeps_coarse(arguments) ? updated(job, input, options)
+                                                  : updated_dense_enough(job, input, options);
   write_update(job, input, std::move(outcome), options, output_of(arguments));
   job.finish();
 }

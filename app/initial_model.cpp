@@ -37,6 +37,12 @@ KnownLabelsSource labels_of(const ModelInput& model) {
   return model.dense ? model.dense->labels : KnownLabelsSource();
 }
 
+// The samples have the hollows that the mesh has.
+ReconstructOptions with_hollows_of(const ModelInput& model, ReconstructOptions options) {
+  if (model.dense && model.dense->has_hollow) options.keep_cavities = true;
+  return options;
+}
+
 void warn_of_handles(Job& job, const ModelInput& model, const TriangleMesh& surface) {
   if (!model.dense) return;
   warn_of_handles(job, model.name, *model.dense, mesh_check(surface, {}, job.execution()));
@@ -85,8 +91,8 @@ ReconstructResult initial_model(Job& job, const std::string& name, const std::ve
 
 ReconstructResult initial_model(Job& job, const ModelInput& model,
                                 const ReconstructOptions& options) {
-  ReconstructResult result =
-      initial_model(job, model.name, model.mesh.points.raw(), labels_of(model), options);
+  ReconstructResult result = initial_model(job, model.name, model.mesh.points.raw(),
+                                           labels_of(model), with_hollows_of(model, options));
   warn_of_handles(job, model, result.mesh);
   return result;
 }
@@ -100,7 +106,10 @@ bool begin_session(Job& job, ModelInput model, const UpdateOptions& options,
   }
   const std::vector<Point>& points = model.mesh.points.raw();
   run_step(job.execution(), "initial_model", [&](const Execution& nested) {
-    naming_input(model.name, [&] { session.emplace(points, options, nested, labels_of(model)); });
+    UpdateOptions of_session = options;
+    of_session.reconstruct = with_hollows_of(model, options.reconstruct);
+    naming_input(model.name,
+                 [&] { session.emplace(points, of_session, nested, labels_of(model)); });
     session->limit_undo(0);
   });
   require_initial_model(job, model.name, session->reconstruction(),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sys/resource.h>
+#include <utility>
 
 #include "app/console/standard_streams.h"
 #include "app/files/files.h"
@@ -20,7 +21,25 @@ Job::Job(const std::string& command, const SharedArguments& shared)
   report_.set("threads", thread_count(execution()));
 }
 
+void Job::begin_trial() { trial_ = Trial{report_.copy(), {}}; }
+
+void Job::end_trial(bool is_taken) {
+  Trial trial = std::move(*trial_);
+  trial_.reset();
+  if (!is_taken) {
+    report_ = std::move(trial.report);
+    return;
+  }
+  for (const auto& [line, is_warning] : trial.told) {
+    is_warning ? warn(line) : say_line(line);
+  }
+}
+
 void Job::say_line(const std::string& line) {
+  if (trial_) {
+    trial_->told.emplace_back(line, false);
+    return;
+  }
   if (is_silent_ || is_output_taken_) return;
   const std::string shown = without_control_bytes(line) + "\n";
   if (lines_wait_) {
@@ -32,6 +51,10 @@ void Job::say_line(const std::string& line) {
 }
 
 void Job::warn(const std::string& warning) {
+  if (trial_) {
+    trial_->told.emplace_back(warning, true);
+    return;
+  }
   warnings_.push_back(warning);
   const bool is_unseen = is_silent_ || is_output_taken_ || lines_wait_;
   if (unseen_warning_.empty() && is_unseen) unseen_warning_ = warning;

@@ -3,8 +3,10 @@
 
 #include <deque>
 #include <fmt/format.h>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/command_line.h"
@@ -47,6 +49,11 @@ class Job {
   // The first one that nobody has seen, which may explain why the command fails; empty: none.
   const std::string& unseen_warning() const { return unseen_warning_; }
 
+  // What is said, warned and reported from now on counts only if the trial is taken in the end;
+  // until then no line is printed. Of stages the time counts in any case. Trials are not nested.
+  void begin_trial();
+  void end_trial(bool is_taken);
+
   // Makes a folder for outputs. What was made of it goes again if nothing is in it when the job
   // ends. Throws FileError.
   void make_folder(const std::string& path);
@@ -86,6 +93,12 @@ class Job {
   bool lines_wait_ = false;
   std::string waiting_lines_;
   std::string waiting_warnings_;  // for standard error
+
+  struct Trial {
+    JsonReport report;                               // before it
+    std::vector<std::pair<std::string, bool>> told;  // lines, and whether it is a warning
+  };
+  std::optional<Trial> trial_;
 };
 
 // Highest amount of memory that the program has used so far, in bytes.

@@ -29,8 +29,8 @@ void require_options(const char* stage, const AstrayOptions& options) {
                           {"astray.most_spacings", options.most_spacings},
                           {"astray.reach", options.reach},
                           {"astray.coarse_ratio", options.coarse_ratio}});
-  require_shares(stage, {{"astray.min_lost_share", options.min_lost_share},
-                         {"astray.min_area_share", options.min_area_share},
+  require_number(stage, "astray.most_parts", static_cast<double>(options.most_parts), 1, 100);
+  require_shares(stage, {{"astray.min_area_share", options.min_area_share},
                          {"astray.min_coarse_share", options.min_coarse_share}});
 }
 

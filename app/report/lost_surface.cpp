@@ -1,32 +1,68 @@
 #include "app/report/lost_surface.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <fmt/format.h>
+#include <span>
 
+#include "geom/mesh/triangles_by_area.h"
 #include "geom/messages/counted.h"
 #include "geom/messages/place_name.h"
 #include "update/report/cloud_report.h"
+#include "update/report/model_places.h"
 
 namespace cocoon::app {
 
+namespace {
+
+// Those that the updated mesh does not have, though one of their vertices stays.
+std::vector<TriangleId> lost_in_part(const TriangleMesh& model, const SessionUpdate& update) {
+  const auto& point_of_vertex = update.result.replacement.point_of_vertex;
+  std::vector<TriangleId> lost;
+  for (const TriangleId t : model.triangles.ids()) {
+    if (!update.change.triangle_map[t].is_none()) continue;
+    const Triangle& corners = model.triangles[t];
+    const bool is_left = std::any_of(corners.begin(), corners.end(),
+                                     [&](VertexId v) { return !point_of_vertex[v].is_none(); });
+    if (is_left) lost.push_back(t);
+  }
+  return lost;
+}
+
+double large_share_of(const TriangleMesh& model, const SessionUpdate& update,
+                      const TriangleMesh& updated, std::span<const Scan> scans,
+                      const AstrayOptions& options) {
+  std::vector<ModelPlace> places =
+      unscanned_places(model, lost_in_part(model, update), scans, options);
+  std::erase_if(places, [](const ModelPlace& place) { return !place.large; });
+  if (places.empty()) return 0;
+  const std::vector<std::uint8_t> off = are_off(places, updated);
+  double area = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (off[k] != 0) area += places[k].area;
+  }
+  return area / TrianglesByArea(model).area();
+}
+
+}  // namespace
+
 LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vector<Point>>& clouds,
                          const SessionUpdate& update, const TriangleMesh& updated) {
-  const UpdateResult& result = update.result;
   const AstrayOptions options;
+  const UpdateResult& result = update.result;
   LostSurface lost;
   lost.triangles =
       lost_triangles(model, result.replacement.point_of_vertex, update.change.triangle_map);
   const LostTriangles& found = lost.triangles;
-  const double least = options.min_lost_share * static_cast<double>(found.staying);
-  if (found.lost.empty() || static_cast<double>(found.lost.size()) < least) return lost;
   const std::vector<Scan> scans = scans_of(clouds, result.clouds);
-  double spacing = 0;
-  for (const Scan& scan : scans) spacing = std::max(spacing, scan.spacing);
+  lost.large_share = large_share_of(model, update, updated, scans, options);
+  if (!(found.lost_area > options.min_coarse_share * found.staying_area)) return lost;
   lost.astray = astray_triangles(model, found.lost, updated, scans, options);
   lost.share = lost.astray.area / found.staying_area;
   lost.warns = *lost.share > options.min_area_share;
-  lost.is_coarse = *lost.share > options.min_coarse_share &&
-                   lost.astray.median_longest_edge > options.coarse_ratio * spacing;
+  lost.is_coarse = std::all_of(scans.begin(), scans.end(), [&](const Scan& scan) {
+    return lost.astray.median_longest_edge > options.coarse_ratio * scan.spacing;
+  });
   return lost;
 }
 
@@ -41,15 +77,13 @@ std::string warning_of_lost_surface(const LostSurface& lost, const std::string& 
   const std::string warning =
       fmt::format("{:.0f} % of the surface of {} is not kept though nothing was scanned there",
                   100 * *lost.share, model_name);
-  if (lost.tried) {
-    return warning + fmt::format(
-                         ": it has too few vertices, and made dense (--densify {}) it "
-                         "keeps no more; look at the result",
-                         *lost.tried);
+  if (!lost.tried.empty()) {
+    return warning + ": its triangles are large, and " + lost.tried + "; look at the result";
   }
   if (lost.is_coarse) {
     return warning +
-           ": it has too few vertices; make it dense first (--densify SPACING, about that of the "
+           ": its triangles are too large; make it dense first (--densify SPACING, about that of "
+           "the "
            "scans)";
   }
   const Triangle& corners = model.triangles[lost.astray.largest];

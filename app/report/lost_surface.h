@@ -18,17 +18,18 @@ namespace cocoon::app {
 struct LostSurface {
   LostTriangles triangles;
   AstrayTriangles astray;       // of the lost ones
-  std::optional<double> share;  // of the area that stays, astray; none: hardly a triangle is lost
+  std::optional<double> share;  // of the area that stays, astray; none: hardly any is lost
   bool warns = false;           // the share is worth a warning
-  // The model's triangles are too large for each of the scans, and it is worth a trial to make it
-  // dense.
-  bool is_coarse = false;
-  std::optional<double> tried;  // it was made dense with this spacing, but kept no more so
+  bool is_coarse = false;       // the astray triangles are too large for each of the scans
+  // Of all area, what large triangles have lost: the astray ones, and places of those that lost a
+  // vertex to the change. What the change has taken of them is part of it.
+  double large_share = 0;
+  std::string tried;  // what became of a trial that was not taken; empty: there was none
 };
 
 // Of a model that is sampled densely hardly any triangle is lost beside the change. Precondition:
-// the update is ok; `updated` is its mesh. Complexity: as astray_triangles, if a tenth of the
-// triangles is lost.
+// the update is ok; `updated` is its mesh. Complexity: as astray_triangles, if more than the
+// least share of the area is lost.
 LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vector<Point>>& clouds,
                          const SessionUpdate& update, const TriangleMesh& updated);
 

@@ -12,14 +12,17 @@
 #include "geom/mesh/dense_samples.h"
 #include "geom/mesh_check.h"
 #include "geom/messages/counted.h"
+#include "update/model/hollows.h"
+#include "update/model/model_index.h"
 
 namespace cocoon::app {
 namespace {
 
 // Whether their surface hangs together as the mesh does, with as many handles and contacts.
-bool have_topology_of(const MeshReport& mesh, const std::vector<Point>& samples,
+bool have_topology_of(const MeshReport& mesh, const std::vector<Point>& samples, bool has_hollow,
                       const KnownLabelsSource& labels, const Execution& execution) {
-  const ReconstructResult result = reconstruct_tight_with_labels(samples, labels, {}, execution);
+  const ReconstructResult result =
+      reconstruct_tight_with_labels(samples, labels, {.keep_cavities = has_hollow}, execution);
   const MeshReport surface = mesh_check(result.mesh, {}, execution);
   return surface.euler == mesh.euler && surface.components == mesh.components &&
          surface.overfull_edges == mesh.overfull_edges &&
@@ -28,10 +31,13 @@ bool have_topology_of(const MeshReport& mesh, const std::vector<Point>& samples,
 
 // Adds samples of a closed mesh if those that there are do not suffice. Returns the labels that it
 // tells of the cells between them.
-KnownLabelsSource conform(Job& job, TriangleMesh mesh, const MeshReport& certificate,
-                          double spacing, std::vector<Point>& samples, const Execution& execution) {
+KnownLabelsSource conform(Job& job, TriangleMesh mesh, double spacing, DensifiedMesh& dense,
+                          const Execution& execution) {
+  std::vector<Point>& samples = dense.points;
   KnownLabelsSource labels = labels_told_by(mesh, samples, labels_of_crossing_cells);
-  if (have_topology_of(certificate, samples, labels, execution)) return labels;
+  if (have_topology_of(dense.certificate, samples, dense.has_hollow, labels, execution)) {
+    return labels;
+  }
   const ConformingSamples more = conforming_samples(mesh, samples, {.spacing = spacing}, execution);
   job.report().set("input/conforming_samples", more.added.size());
   job.report().set("input/conforming_rounds", more.rounds);
@@ -66,16 +72,17 @@ DensifiedMesh densified(Job& job, const std::string& name, ModelFile model, doub
   dense.points.insert(dense.points.end(), added.begin(), added.end());
   dense.certificate = mesh_check(mesh, {}, job.execution());
   if (dense.certificate.balanced) {
+    dense.has_hollow = has_hollow(ModelIndex(mesh, job.execution()));
     dense.labels = run_step(job.execution(), "conforming", [&](const Execution& nested) {
-      return naming_input(name, [&] {
-        return conform(job, std::move(mesh), dense.certificate, spacing, dense.points, nested);
-      });
+      return naming_input(name,
+                          [&] { return conform(job, std::move(mesh), spacing, dense, nested); });
     });
   } else {
-    job.warn(name +
-             ": is not closed, so that only the samples tell its inside from its outside; where "
-             "walls are thinner than the spacing they may be torn (cocoon check tells where it is "
-             "open)");
+    job.warn(
+        name +
+        ": is not closed (cocoon check tells where), but the surface of its samples is, and "
+        "they alone tell its inside from its outside; where walls are thinner than the spacing "
+        "they may be torn");
   }
   return dense;
 }
@@ -88,6 +95,7 @@ DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) 
                      "leave --densify out");
   }
   leave_out_unused_vertices(job, path, "input", model);
+  orient_model(job, path, "input", model.mesh);
   return densified(job, path, std::move(model), spacing);
 }
 

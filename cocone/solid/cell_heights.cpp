@@ -68,33 +68,63 @@ void take_in(double height, const Point& place, CellHeights& heights) {
   }
 }
 
+// The longest edge, and how far the middles of edges are from the centroid.
+CentroidHeight with_sizes(const Triangulation& triangulation, CellId c, double height,
+                          const Point& centroid) {
+  CentroidHeight cell{height, 0, 0};
+  for (const Edge edge : edges_of(triangulation, c)) {
+    cell.longest_edge = std::max(cell.longest_edge, length_of(triangulation, edge));
+    cell.farthest_middle =
+        std::max(cell.farthest_middle, distance(centroid, middle_of(triangulation, edge)));
+  }
+  return cell;
+}
+
+// Takes in the middles of the edges of cells[k], for each k of `open`.
+void add_edges(const Triangulation& triangulation, std::span<const CellId> cells,
+               const std::vector<std::size_t>& open, const TriangleMesh& solid,
+               std::vector<CellHeights>& heights, const Execution& execution) {
+  std::vector<CellId> open_cells;
+  open_cells.reserve(open.size());
+  for (const std::size_t k : open) open_cells.push_back(cells[k]);
+  // An edge belongs to five cells in the mean: its middle is asked about once.
+  const std::vector<Edge> edges = edges_of(triangulation, open_cells);
+  std::vector<Point> middles;
+  middles.reserve(edges.size());
+  for (const Edge edge : edges) middles.push_back(middle_of(triangulation, edge));
+  const std::vector<double> distances = signed_distances(solid, middles, execution);
+  for (const std::size_t k : open) {
+    for (const Edge edge : edges_of(triangulation, cells[k])) {
+      const auto found = std::lower_bound(edges.begin(), edges.end(), edge);
+      const auto place = static_cast<std::size_t>(found - edges.begin());
+      take_in(distances[place], middles[place], heights[k]);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<CellHeights> cell_heights(const Triangulation& triangulation,
                                       std::span<const CellId> cells, const TriangleMesh& solid,
-                                      CellPlaces places, const Execution& execution) {
-  // An edge belongs to five cells in the mean: its middle is asked about once.
-  const bool with_edges = places == CellPlaces::centroid_and_edges;
-  const std::vector<Edge> edges = with_edges ? edges_of(triangulation, cells) : std::vector<Edge>();
-  std::vector<Point> points;
-  points.reserve(cells.size() + edges.size());
-  for (const CellId c : cells) points.push_back(centroid(triangulation, c));
-  for (const Edge edge : edges) points.push_back(middle_of(triangulation, edge));
-  const std::vector<double> distances = signed_distances(solid, points, execution);
+                                      CellPlaces places, const IsSettled& is_settled,
+                                      const Execution& execution) {
+  std::vector<Point> centroids;
+  centroids.reserve(cells.size());
+  for (const CellId c : cells) centroids.push_back(centroid(triangulation, c));
+  const std::vector<double> distances = signed_distances(solid, centroids, execution);
 
   std::vector<CellHeights> heights(cells.size());
+  std::vector<std::size_t> open;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     CellHeights& cell = heights[k];
-    cell.at_lowest = cell.at_highest = points[k];
-    take_in(distances[k], points[k], cell);
-    for (const Edge edge : edges_of(triangulation, cells[k])) {
-      cell.longest_edge = std::max(cell.longest_edge, length_of(triangulation, edge));
-      if (!with_edges) continue;
-      const auto found = std::lower_bound(edges.begin(), edges.end(), edge);
-      const std::size_t place = cells.size() + static_cast<std::size_t>(found - edges.begin());
-      take_in(distances[place], points[place], cell);
-    }
+    cell.at_lowest = cell.at_highest = centroids[k];
+    take_in(distances[k], centroids[k], cell);
+    const CentroidHeight middle = with_sizes(triangulation, cells[k], distances[k], centroids[k]);
+    cell.longest_edge = middle.longest_edge;
+    if (places == CellPlaces::centroid) continue;
+    if (!is_settled || !is_settled(middle)) open.push_back(k);
   }
+  if (!open.empty()) add_edges(triangulation, cells, open, solid, heights, execution);
   return heights;
 }
 

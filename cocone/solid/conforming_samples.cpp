@@ -88,8 +88,11 @@ class Refinement {
   // One for each cell that crosses the mesh where there is room.
   std::vector<Place> places_in(const Triangulation& triangulation,
                                const std::vector<CellId>& cells) {
-    const std::vector<CellHeights> heights =
-        cell_heights(triangulation, cells, solid_, CellPlaces::centroid_and_edges, execution_);
+    const auto cannot_cross = [&](const CentroidHeight& middle) {
+      return middle.most_beyond() <= options_.min_depth * middle.longest_edge;
+    };
+    const std::vector<CellHeights> heights = cell_heights(
+        triangulation, cells, solid_, CellPlaces::centroid_and_edges, cannot_cross, execution_);
     std::vector<Place> places;
     for (std::size_t k = 0; k < cells.size(); ++k) {
       if (!heights[k].crosses(options_.min_depth)) continue;

@@ -32,8 +32,12 @@ void add_labels_of_solid(const Triangulation& triangulation, const TriangleMesh&
   }
   require_amounts("add_labels_of_solid", {{"min_depth", options.min_depth}});
   if (!mesh_check(solid).balanced) return;
+  const auto is_settled = [&](const CentroidHeight& middle) {
+    const double height = std::abs(middle.height);
+    return height > options.min_depth * middle.longest_edge && height > middle.most_beyond();
+  };
   const std::vector<CellHeights> heights =
-      cell_heights(triangulation, cells, solid, options.places, execution);
+      cell_heights(triangulation, cells, solid, options.places, is_settled, execution);
   known.labels.resize(triangulation.num_cells(), CellLabel::unmarked);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double height = heights[i].deepest();

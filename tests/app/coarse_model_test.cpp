@@ -74,29 +74,106 @@ TEST(CoarseModel, IsMadeDenseWhereItsSurfaceWouldBeLost) {
   EXPECT_TRUE(reports(job, "added_samples"));
 }
 
-// As it is, and nothing in the report of what was tried.
+// As it is, and nothing is told of what was tried but why it was not taken.
 TEST(CoarseModel, StaysAsItIsWhereThatKeepsNoMore) {
   Job job("update", silent());
   UpdateInput input = update_of(plate(), boss());
-  const UpdateOutcome outcome = updated_dense_enough(job, input, {}, {.max_lost = -1});
+  const UpdateOutcome outcome = updated_dense_enough(job, input, {}, {.max_given_up = -1});
   EXPECT_EQ(input.model, plate());
-  EXPECT_TRUE(outcome.lost.is_coarse);
-  EXPECT_TRUE(outcome.lost.tried);
+  EXPECT_EQ(job.warnings().size(), 0U);
   EXPECT_TRUE(reports(job, "\"made_dense\": false"));
   EXPECT_FALSE(reports(job, "added_samples"));
   EXPECT_FALSE(reports(job, "densify"));
+  EXPECT_NE(outcome.lost.tried.find("keeps no more"), std::string::npos);
+  EXPECT_TRUE(outcome.lost.warns);
   EXPECT_NE(warning_of_lost_surface(outcome.lost, "plate", input.model).find("keeps no more"),
             std::string::npos);
 }
 
-TEST(CoarseModel, IsNotTriedWhereThatTakesTooManySamples) {
+// An open model has a warning when it is made dense: not if that is not taken.
+TEST(CoarseModel, WarningsOfATrialThatIsNotTakenAreForgotten) {
+  TriangleMesh open = plate();
+  open.triangles.raw().erase(open.triangles.raw().begin());  // below
+  Job job("update", silent());
+  UpdateInput input = update_of(open, boss());
+  updated_dense_enough(job, input, {}, {.max_given_up = -1});
+  EXPECT_TRUE(reports(job, "\"made_dense\": false"));
+  EXPECT_EQ(job.warnings().size(), 0U);
+  Job taken("update", silent());
+  updated_dense_enough(taken, input, {}, {.max_given_up = 10});
+  EXPECT_TRUE(reports(taken, "\"made_dense\": true"));
+  EXPECT_GT(taken.warnings().size(), 1U);
+}
+
+TEST(CoarseModel, IsSampledLessDenselyWhereThatTakesTooMany) {
   Job job("update", silent());
   UpdateInput input = update_of(plate(), boss());
-  const UpdateOutcome outcome = updated_dense_enough(job, input, {}, {.most_samples = 10'000});
-  EXPECT_EQ(input.model, plate());
-  EXPECT_TRUE(outcome.lost.is_coarse);
-  EXPECT_FALSE(outcome.lost.tried);
-  EXPECT_FALSE(reports(job, "coarse_model"));
+  updated_dense_enough(job, input, {}, {.most_samples = 1000});
+  EXPECT_TRUE(reports(job, "\"made_dense\": true"));
+  EXPECT_TRUE(reports(job, "\"spacing\": 0.6"));  // of 360 of area
+  EXPECT_LT(input.model.points.size(), 2000U);
+}
+
+// A box within the box, which the scan is far from.
+TEST(CoarseModel, KeepsItsHollow) {
+  TriangleMesh model;
+  const auto add_box = [&](double low, double high, bool inward) {
+    const auto first = static_cast<unsigned>(model.points.size());
+    TriangleMesh box = plate();
+    for (Point& p : box.points) {
+      p = {p.x < 0 ? low : high, p.y < 0 ? low : high, p.z > 0 ? high : low};
+      model.points.push_back(p);
+    }
+    for (Triangle t : box.triangles) {
+      for (VertexId& v : t) v = VertexId(v.value + first);
+      if (inward) std::swap(t[1], t[2]);
+      model.triangles.push_back(t);
+    }
+  };
+  add_box(-3, 3, false);
+  add_box(-1.5, 1.2, true);
+  std::vector<Point> cloud = boss();
+  for (Point& p : cloud) p.z += 1.5;
+  Job job("update", silent());
+  UpdateInput input = update_of(model, cloud);
+  const UpdateOutcome outcome = updated_dense_enough(job, input, {});
+  ASSERT_EQ(outcome.update.result.status, UpdateStatus::ok);
+  EXPECT_TRUE(reports(job, "\"made_dense\": true"));
+  EXPECT_NEAR(mesh_measure(outcome.update.result.mesh).signed_volume,
+              6 * 6 * 6 - 2.7 * 2.7 * 2.7 + 0.42, 0.1);
+}
+
+// A pocket at a corner: the largest triangles lose a vertex to the change, and more of their
+// surface than that.
+TEST(CoarseModel, IsMadeDenseWhereItsLargeTrianglesLoseAVertex) {
+  std::vector<Point> cloud;
+  const auto add = [&](double x, double y, double z) { cloud.push_back({x, y, z}); };
+  constexpr double step = 0.1;
+  for (double u = -3; u < -0.2; u += step) {
+    for (double v = -3; v < -0.2; v += step) {
+      const bool in_pocket = u < -1.5 && v < -1.5;
+      add(u, v, in_pocket ? 0.75 : 1.5);
+    }
+  }
+  for (double u = -3; u < -1.5; u += step) {
+    for (double z = 0.75; z < 1.5; z += step) {
+      add(u, -1.5, z);
+      add(-1.5, u, z);
+    }
+  }
+  for (double u = -3; u < -0.2; u += step) {
+    for (double z = 0.1; z < (u < -1.5 ? 0.75 : 1.5); z += step) {
+      add(u, -3, z);
+      add(-3, u, z);
+    }
+  }
+  Job job("update", silent());
+  UpdateInput input = update_of(plate(), cloud);
+  const UpdateOutcome outcome = updated_dense_enough(job, input, {});
+  ASSERT_EQ(outcome.update.result.status, UpdateStatus::ok);
+  EXPECT_TRUE(reports(job, "\"made_dense\": true"));
+  EXPECT_NEAR(mesh_measure(outcome.update.result.mesh).signed_volume,
+              12 * 12 * 1.5 - 1.5 * 1.5 * 0.75, 0.5);
 }
 
 // Samples as far apart as its vertices: there is nothing to add.

@@ -153,7 +153,7 @@ TEST(Densify, IsDoneWithoutBeingAskedWhereSurfaceWouldBeLost) {
   const Json coarse = report["update"]["coarse_model"];
   EXPECT_EQ(coarse["status"], "ok");
   EXPECT_EQ(coarse["made_dense"], true);
-  EXPECT_GT(coarse["astray_area_share"].get<double>(), 0.3);
+  EXPECT_GT(coarse["lost_area_share"].get<double>(), 0.3);
   EXPECT_EQ(coarse["spacing"], report["parameters"]["densify"]);
   EXPECT_NEAR(coarse["spacing"].get<double>(), 0.09, 0.02);  // of the knob's samples
   EXPECT_FALSE(report["update"].contains("astray_area_share"));

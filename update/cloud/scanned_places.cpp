@@ -22,11 +22,6 @@ bool ScannedPlaces::contain(const Point& place) const {
   });
 }
 
-bool ScannedPlaces::surround(const Point& place) const {
-  return std::any_of(sets_.begin(), sets_.end(),
-                     [&](const Reached& set) { return contains(set.box, place); });
-}
-
 Box ScannedPlaces::box() const {
   Box all;
   for (const Reached& set : sets_) all.include(set.box);

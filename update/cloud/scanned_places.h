@@ -19,8 +19,6 @@ class ScannedPlaces {
   void add(const NearestPointTree& samples, double reach);
   // Whether a sample lies near. Complexity: O(log n) for each set of samples, O(1) far from all.
   bool contain(const Point& place) const;
-  // Whether the place is in the box around what one of the sets contains. O(1) for each set.
-  bool surround(const Point& place) const;
   // Around all that they contain; empty without samples.
   Box box() const;
 

@@ -45,6 +45,46 @@ TEST(CellHeights, AreThoseOfCentroidAndMiddlesOfEdges) {
   EXPECT_DOUBLE_EQ(middle.longest_edge, crossing.longest_edge);
 }
 
+// Cells of which the centroid alone answers the question get the same answer as those looked at in
+// all places.
+TEST(CellHeights, OfSettledCellsAnswerTheSame) {
+  const TriangleMesh solid = gallery::translated(gallery::box(20, 14, 8), {-10, -7, -4});
+  std::vector<Point> points = shapes::noisy_sphere(1500, 0.2, 2);
+  for (Point& p : points) p = 9.0 * p;
+  const Triangulation triangulation = delaunay(points).triangulation;
+  std::vector<CellId> cells;
+  for (const CellId c : triangulation.finite_cells()) cells.push_back(c);
+  constexpr CellPlaces places = CellPlaces::centroid_and_edges;
+  const std::vector<CellHeights> all = cell_heights(triangulation, cells, solid, places);
+  std::size_t settled = 0;
+  const auto count = [&](bool is_settled) {
+    settled += is_settled ? 1U : 0U;
+    return is_settled;
+  };
+  const std::vector<CellHeights> sides =
+      cell_heights(triangulation, cells, solid, places, [&](const CentroidHeight& middle) {
+        return count(std::abs(middle.height) > middle.most_beyond());
+      });
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    EXPECT_EQ(sides[k].deepest() > 0, all[k].deepest() > 0);
+    EXPECT_LE(std::abs(sides[k].deepest()), std::abs(all[k].deepest()));
+  }
+  EXPECT_GT(settled, cells.size() / 10);
+  EXPECT_LT(settled, cells.size());
+  settled = 0;
+  const std::vector<CellHeights> crossings =
+      cell_heights(triangulation, cells, solid, places, [&](const CentroidHeight& middle) {
+        return count(middle.most_beyond() <= 0.02 * middle.longest_edge);
+      });
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    ASSERT_EQ(crossings[k].crosses(0.02), all[k].crosses(0.02));
+    if (!all[k].crosses(0.02)) continue;
+    EXPECT_EQ(crossings[k].at_lowest, all[k].at_lowest);
+  }
+  EXPECT_GT(settled, cells.size() / 10);
+  EXPECT_LT(settled, cells.size());
+}
+
 using HeightsByCorners = std::map<std::array<Point, 4>, CellHeights>;
 
 HeightsByCorners all_heights(const Triangulation& triangulation, const TriangleMesh& solid) {
