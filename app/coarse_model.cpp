@@ -87,12 +87,15 @@ std::vector<std::uint8_t> are_replaced(const std::vector<ModelPlace>& places,
   return replaced;
 }
 
-// Areas of the model where nothing was scanned, by which of the two updates passes there.
+// Areas of the model where nothing was scanned, by which of the two updates passes there; and what
+// they have made up.
 struct KeptAreas {
   double all = 0;
   double only_dense = 0;  // the one of the dense model
   double only_first = 0;  // where it is no part of what the change of the dense model replaced
   double neither = 0;     // likewise
+  double made_up_by_dense = 0;
+  double made_up_by_first = 0;
 };
 
 KeptAreas kept_areas(const UpdateInput& input, const UpdateOutcome& outcome,
@@ -101,14 +104,19 @@ KeptAreas kept_areas(const UpdateInput& input, const UpdateOutcome& outcome,
   for (const TriangleId t : input.model.triangles.ids()) all.push_back(t);
   const UpdateResult& result = outcome.update.result;
   const UpdateResult& of_dense = dense.outcome.update.result;
-  const std::vector<ModelPlace> places =
-      unscanned_places(input.model, all, scans_of(input.clouds, of_dense.clouds));
+  const std::vector<Scan> scans = scans_of(input.clouds, of_dense.clouds);
+  const std::vector<ModelPlace> places = unscanned_places(input.model, all, scans);
   const std::vector<std::uint8_t> off_dense = are_off(places, of_dense.mesh);
   const std::vector<std::uint8_t> off_first = result.status == UpdateStatus::ok
                                                   ? are_off(places, result.mesh)
                                                   : std::vector<std::uint8_t>(places.size(), 1);
   const std::vector<std::uint8_t> replaced = are_replaced(places, dense);
   KeptAreas areas;
+  areas.made_up_by_dense =
+      area_made_up(dense.input.model, scans, dense.outcome.update, of_dense.mesh);
+  if (result.status == UpdateStatus::ok) {
+    areas.made_up_by_first = area_made_up(input.model, scans, outcome.update, result.mesh);
+  }
   for (std::size_t k = 0; k < places.size(); ++k) {
     const double area = places[k].area;
     areas.all += area;
@@ -121,25 +129,28 @@ KeptAreas kept_areas(const UpdateInput& input, const UpdateOutcome& outcome,
   return areas;
 }
 
-// What the update of the dense model, which is ok, keeps more of the surface, as a share of it; 0:
-// not enough.
+// How much less of the surface is lost or made up by the update of the dense model, which is ok, as
+// a share of it; 0: not enough.
 double share_gained(const UpdateInput& input, const UpdateOutcome& outcome,
                     const DenseUpdate& dense, const CoarseModelOptions& coarse) {
   const KeptAreas areas = kept_areas(input, outcome, dense);
   const AstrayOptions astray;
+  if (outcome.update.result.status != UpdateStatus::ok) {
+    const double wrong = areas.neither + areas.made_up_by_dense;
+    return wrong <= astray.min_area_share * areas.all ? areas.only_dense / areas.all : 0;
+  }
+  const double better = areas.only_dense + areas.made_up_by_first;
+  const double worse = areas.only_first + areas.made_up_by_dense;
   const bool is_enough =
-      outcome.update.result.status == UpdateStatus::ok
-          ? areas.only_dense > astray.min_coarse_share * areas.all &&
-                areas.only_first <= coarse.max_given_up * areas.only_dense
-          : areas.only_dense > 0 && areas.neither <= astray.min_area_share * areas.all;
-  return is_enough ? areas.only_dense / areas.all : 0;
+      better > astray.min_coarse_share * areas.all && worse <= coarse.max_given_up * better;
+  return is_enough ? better / areas.all : 0;
 }
 
 std::string warning_of(const UpdateInput& input, const UpdateResult& result, double share,
                        double spacing) {
   const std::string what =
       result.status == UpdateStatus::ok
-          ? fmt::format("{:.2g} % of its surface would be lost", 100 * share)
+          ? fmt::format("{:.2g} % of its surface would be lost or made up", 100 * share)
           : fmt::format("it cannot be updated so ({})", name_of(result.status));
   return fmt::format(
       "{} has large triangles, and {}: it was made dense first (as by --densify {}; --keep-coarse "

@@ -22,7 +22,7 @@ struct CoarseModelOptions {
   double neighbor_share = 0.5;
   // Samples are as far apart as those of the scans, but no more than about so many: 20 s of work.
   double most_samples = 5e5;
-  // Taken if the surface that is lost by it alone is at most this part of what it alone keeps.
+  // Taken if what it alone loses or makes up is at most this part of what the first alone does.
   double max_given_up = 0.5;
 };
 

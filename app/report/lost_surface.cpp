@@ -15,33 +15,42 @@ namespace cocoon::app {
 
 namespace {
 
-// Those that the updated mesh does not have, though one of their vertices stays.
-std::vector<TriangleId> lost_in_part(const TriangleMesh& model, const SessionUpdate& update) {
-  const auto& point_of_vertex = update.result.replacement.point_of_vertex;
+std::vector<TriangleId> lost_triangles_of(const MeshChange& change) {
   std::vector<TriangleId> lost;
-  for (const TriangleId t : model.triangles.ids()) {
-    if (!update.change.triangle_map[t].is_none()) continue;
-    const Triangle& corners = model.triangles[t];
-    const bool is_left = std::any_of(corners.begin(), corners.end(),
-                                     [&](VertexId v) { return !point_of_vertex[v].is_none(); });
-    if (is_left) lost.push_back(t);
+  for (const TriangleId t : change.triangle_map.ids()) {
+    if (change.triangle_map[t].is_none()) lost.push_back(t);
   }
   return lost;
 }
 
-double large_share_of(const TriangleMesh& model, const SessionUpdate& update,
-                      const TriangleMesh& updated, std::span<const Scan> scans,
-                      const AstrayOptions& options) {
-  std::vector<ModelPlace> places =
-      unscanned_places(model, lost_in_part(model, update), scans, options);
-  std::erase_if(places, [](const ModelPlace& place) { return !place.large; });
+std::vector<TriangleId> new_triangles_of(const MeshChange& change, const TriangleMesh& updated) {
+  IdVector<TriangleId, std::uint8_t> was_there(updated.triangles.size(), 0);
+  for (const TriangleId t : change.triangle_map) {
+    if (!t.is_none()) was_there[t] = 1;
+  }
+  std::vector<TriangleId> added;
+  for (const TriangleId t : updated.triangles.ids()) {
+    if (was_there[t] == 0) added.push_back(t);
+  }
+  return added;
+}
+
+double area_off(std::span<const ModelPlace> places, const TriangleMesh& mesh) {
   if (places.empty()) return 0;
-  const std::vector<std::uint8_t> off = are_off(places, updated);
+  const std::vector<std::uint8_t> off = are_off(places, mesh);
   double area = 0;
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (off[k] != 0) area += places[k].area;
   }
-  return area / TrianglesByArea(model).area();
+  return area;
+}
+
+double area_off_of_large(const TriangleMesh& mesh, std::span<const TriangleId> triangles,
+                         const TriangleMesh& other, std::span<const Scan> scans,
+                         const AstrayOptions& options) {
+  std::vector<ModelPlace> places = unscanned_places(mesh, triangles, scans, options);
+  std::erase_if(places, [](const ModelPlace& place) { return !place.large; });
+  return area_off(places, other);
 }
 
 }  // namespace
@@ -55,7 +64,10 @@ LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vecto
       lost_triangles(model, result.replacement.point_of_vertex, update.change.triangle_map);
   const LostTriangles& found = lost.triangles;
   const std::vector<Scan> scans = scans_of(clouds, result.clouds);
-  lost.large_share = large_share_of(model, update, updated, scans, options);
+  const double large =
+      area_off_of_large(model, lost_triangles_of(update.change), updated, scans, options) +
+      area_off_of_large(updated, new_triangles_of(update.change, updated), model, scans, options);
+  if (large > 0) lost.large_share = large / TrianglesByArea(model).area();
   if (!(found.lost_area > options.min_coarse_share * found.staying_area)) return lost;
   lost.astray = astray_triangles(model, found.lost, updated, scans, options);
   lost.share = lost.astray.area / found.staying_area;
@@ -64,6 +76,12 @@ LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vecto
     return lost.astray.median_longest_edge > options.coarse_ratio * scan.spacing;
   });
   return lost;
+}
+
+double area_made_up(const TriangleMesh& model, std::span<const Scan> scans,
+                    const SessionUpdate& update, const TriangleMesh& updated) {
+  return area_off(unscanned_places(updated, new_triangles_of(update.change, updated), scans),
+                  model);
 }
 
 void add_lost_surface(JsonReport& report, const LostSurface& lost) {

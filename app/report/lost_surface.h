@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,9 @@ struct LostSurface {
   std::optional<double> share;  // of the area that stays, astray; none: hardly any is lost
   bool warns = false;           // the share is worth a warning
   bool is_coarse = false;       // the astray triangles are too large for each of the scans
-  // Of all area, what large triangles have lost: the astray ones, and places of those that lost a
-  // vertex to the change. What the change has taken of them is part of it.
+  // What large triangles have lost where nothing was scanned, whether or not the change has taken
+  // their vertices: what it has taken of them may be little. And what large new ones have made up
+  // there, off the model. As a share of the model's area.
   double large_share = 0;
   std::string tried;  // what became of a trial that was not taken; empty: there was none
 };
@@ -32,6 +34,10 @@ struct LostSurface {
 // least share of the area is lost.
 LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vector<Point>>& clouds,
                          const SessionUpdate& update, const TriangleMesh& updated);
+
+// The area of new triangles where there is neither a sample nor the model. Precondition: as above.
+double area_made_up(const TriangleMesh& model, std::span<const Scan> scans,
+                    const SessionUpdate& update, const TriangleMesh& updated);
 
 // Its counts, to the section "update".
 void add_lost_surface(JsonReport& report, const LostSurface& lost);

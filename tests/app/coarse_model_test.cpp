@@ -143,39 +143,6 @@ TEST(CoarseModel, KeepsItsHollow) {
               6 * 6 * 6 - 2.7 * 2.7 * 2.7 + 0.42, 0.1);
 }
 
-// A pocket at a corner: the largest triangles lose a vertex to the change, and more of their
-// surface than that.
-TEST(CoarseModel, IsMadeDenseWhereItsLargeTrianglesLoseAVertex) {
-  std::vector<Point> cloud;
-  const auto add = [&](double x, double y, double z) { cloud.push_back({x, y, z}); };
-  constexpr double step = 0.1;
-  for (double u = -3; u < -0.2; u += step) {
-    for (double v = -3; v < -0.2; v += step) {
-      const bool in_pocket = u < -1.5 && v < -1.5;
-      add(u, v, in_pocket ? 0.75 : 1.5);
-    }
-  }
-  for (double u = -3; u < -1.5; u += step) {
-    for (double z = 0.75; z < 1.5; z += step) {
-      add(u, -1.5, z);
-      add(-1.5, u, z);
-    }
-  }
-  for (double u = -3; u < -0.2; u += step) {
-    for (double z = 0.1; z < (u < -1.5 ? 0.75 : 1.5); z += step) {
-      add(u, -3, z);
-      add(-3, u, z);
-    }
-  }
-  Job job("update", silent());
-  UpdateInput input = update_of(plate(), cloud);
-  const UpdateOutcome outcome = updated_dense_enough(job, input, {});
-  ASSERT_EQ(outcome.update.result.status, UpdateStatus::ok);
-  EXPECT_TRUE(reports(job, "\"made_dense\": true"));
-  EXPECT_NEAR(mesh_measure(outcome.update.result.mesh).signed_volume,
-              12 * 12 * 1.5 - 1.5 * 1.5 * 0.75, 0.5);
-}
-
 // Samples as far apart as its vertices: there is nothing to add.
 TEST(CoarseModel, IsOneForItsScansOnly) {
   Job job("update", silent());

@@ -42,7 +42,7 @@ struct AstrayOptions {
   double coarse_ratio = 3;
   // A trial to make it dense is worth its time if large triangles lose this share of all area: the
   // sides of a plate are little of it.
-  double min_coarse_share = 0.005;
+  double min_coarse_share = 0.002;
   // Sides of large triangles are divided into parts no longer, at most so many.
   std::size_t most_parts = 8;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "geom/mesh/triangles_by_area.h"
 #include "geom/search/closest_facet.h"
@@ -52,15 +53,17 @@ std::vector<ModelPlace> unscanned_places(const TriangleMesh& model,
     scanned.add(scan.samples, options.reach * scan.spacing);
     spacing = std::max(spacing, scan.spacing);
   }
-  const double large = options.coarse_ratio * spacing;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const bool is_known = spacing > 0;
+  const double large = is_known ? options.coarse_ratio * spacing : infinity;
+  const double most = is_known ? options.most_spacings * spacing : infinity;
   std::vector<ModelPlace> places;
   for (const TriangleId t : triangles) {
     const auto [a, b, c] = corners_of(model, t);
     const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
     const double area = area_of(model, t);
     if (!(area > 0)) continue;
-    ModelPlace place{{}, t, area, options.tolerance * longest, longest > large};
-    place.reach = std::min(place.reach, options.most_spacings * spacing);
+    ModelPlace place{{}, t, area, std::min(options.tolerance * longest, most), longest > large};
     const std::size_t parts = parts_of(longest, large, options.most_parts);
     place.area /= static_cast<double>(parts * parts);
     for_each_middle({a, b, c}, parts, [&](const Point& middle) {

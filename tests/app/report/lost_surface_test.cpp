@@ -1,0 +1,62 @@
+#include "app/report/lost_surface.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "tests/mesh_gallery.h"
+
+namespace cocoon::app {
+namespace {
+
+// An update of a box after which `vertex` has gone, and with it the triangles there; all other
+// points are as before.
+struct BoxUpdate {
+  TriangleMesh model = gallery::box(10, 10, 10);
+  TriangleMesh updated;
+  SessionUpdate update;
+  std::vector<std::vector<Point>> clouds = {{{0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}}};
+
+  BoxUpdate(VertexId vertex, double spacing) {
+    UpdateResult& result = update.result;
+    result.clouds.resize(1);
+    result.clouds[0].surface.rim.median_edge = spacing;
+    for (const VertexId v : model.points.ids()) {
+      const bool goes = v == vertex;
+      result.replacement.point_of_vertex.push_back(goes ? PointId() : PointId(v.value));
+      update.change.vertex_map.push_back(goes ? VertexId() : v);
+    }
+    updated.points = model.points;
+    for (const TriangleId t : model.triangles.ids()) {
+      const Triangle& corners = model.triangles[t];
+      const bool goes = std::find(corners.begin(), corners.end(), vertex) != corners.end();
+      update.change.triangle_map.push_back(goes ? TriangleId() : t);
+      if (!goes) updated.triangles.push_back(corners);
+    }
+  }
+};
+
+// Those that stay are all there; what the others lost is seen by places all over them.
+TEST(LostSurface, SeesWhatLargeTrianglesLoseWithAVertex) {
+  const BoxUpdate box(VertexId(0U), 0.5);
+  const LostSurface lost = lost_surface(box.model, box.clouds, box.update, box.updated);
+  EXPECT_EQ(lost.triangles.lost.size(), 0U);
+  EXPECT_FALSE(lost.share);
+  EXPECT_FALSE(lost.warns);
+  EXPECT_NEAR(lost.large_share, 0.5, 1e-12);  // six of twelve triangles
+  // For a scan that is as coarse as the box they are not large.
+  const BoxUpdate coarse(VertexId(0U), 5);
+  EXPECT_EQ(lost_surface(coarse.model, coarse.clouds, coarse.update, coarse.updated).large_share,
+            0);
+}
+
+TEST(LostSurface, IsNoneWhereAllIsKept) {
+  const BoxUpdate box(VertexId(), 0.5);
+  const LostSurface lost = lost_surface(box.model, box.clouds, box.update, box.updated);
+  EXPECT_EQ(lost.triangles.staying, box.model.triangles.size());
+  EXPECT_EQ(lost.large_share, 0);
+  EXPECT_FALSE(lost.warns);
+}
+
+}  // namespace
+}  // namespace cocoon::app
