@@ -61,10 +61,6 @@ bool is_coarse(const UpdateInput& input, const UpdateOutcome& outcome,
   return has_large_triangles(input, coarse.min_large_share_if_refused, coarse);
 }
 
-bool has_properties(const UpdateInput& input) {
-  return !input.properties.empty() && !input.properties.front().columns.empty();
-}
-
 // The same made dense and updated.
 struct DenseUpdate {
   UpdateInput input;
@@ -208,7 +204,7 @@ void make_dense(Job& job, UpdateInput& input, UpdateOutcome& outcome, const Upda
 UpdateOutcome updated_dense_enough(Job& job, UpdateInput& input, const UpdateOptions& options,
                                    const CoarseModelOptions& coarse) {
   const bool says_regions = !options.overrides.is_empty();
-  if (!input.is_mesh_of_file || has_properties(input) ||
+  if (!input.is_mesh_of_file ||
       (says_regions && !has_large_triangles(input, coarse.min_large_share, coarse))) {
     return updated(job, input, options);
   }

@@ -185,8 +185,7 @@ void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared)
                   "Go on from this session instead of a MODEL, and write it back; its parameters "
                   "hold, but for --rho and --keep-crowded")
       ->type_name("FILE");
-  add_mesh_output(*sub, update.mesh, update.writing,
-                  keeps_properties + " (but for --session and, of MODEL, --densify)");
+  add_mesh_output(*sub, update.mesh, update.writing, keeps_properties + " (but for --session)");
   add_densify(*sub, "MODEL", update.densify);
   sub->add_flag("--keep-coarse", update.keep_coarse,
                 "Take the vertices of a mesh with large triangles alone, even if its surface is "

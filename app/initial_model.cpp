@@ -60,7 +60,7 @@ ModelInput of_dense(const std::string& name, DensifiedMesh dense) {
 
 ModelInput read_model_input(Job& job, const std::string& name, const std::optional<double>& spacing,
                             VertexProperties* properties) {
-  if (spacing) return of_dense(name, read_densified(job, name, *spacing));
+  if (spacing) return of_dense(name, read_densified(job, name, *spacing, properties));
   ModelInput model;
   model.name = name;
   ModelFile file = read_model(job, name, "input", properties);

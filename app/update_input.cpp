@@ -1,12 +1,15 @@
 #include "app/update_input.h"
 
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/files/carried_properties.h"
 #include "app/files/files.h"
 #include "app/files/model_file.h"
 #include "app/initial_model.h"
 #include "geom/search/equal_points.h"
+#include "geom/search/nearest_point.h"
 
 namespace cocoon::app {
 
@@ -36,14 +39,28 @@ IdVector<PointId, VertexId> vertices_of(Points points, const ReconstructResult& 
   return vertex_of_point;
 }
 
+// Of each vertex of the surface the row of its properties: of a sample of a mesh that was made
+// dense that of the nearest vertex of the mesh.
+std::vector<RowOrigin> rows_of(const ModelInput& model, const ReconstructResult& surface) {
+  const Points points = model.mesh.points.span();
+  const std::size_t rows = model.dense ? model.dense->vertices : points.size();
+  std::optional<NearestPointTree> vertices;
+  if (rows < points.size()) vertices.emplace(points.first(rows));
+  std::vector<RowOrigin> origins;
+  for (const PointId point : surface.point_of_vertex) {
+    const bool has_row = point.index() < rows;
+    origins.push_back(
+        {0, has_row ? point.index() : vertices->nearest(points[point.index()]).point.index()});
+  }
+  return origins;
+}
+
 // A model given as points, with their properties.
 void reconstruct(Job& job, const ReconstructOptions& options, ModelInput& model,
                  UpdateInput& input) {
   ReconstructResult initial = initial_model(job, model, options);
   if (!input.properties.empty()) {
-    std::vector<RowOrigin> origins;
-    for (const PointId point : initial.point_of_vertex) origins.push_back({0, point.index()});
-    input.properties[0] = select_rows(input.properties[0], origins);
+    input.properties[0] = select_rows(input.properties[0], rows_of(model, initial));
   }
   const IdVector<PointId, VertexId> vertex_of_point =
       vertices_of(model.mesh.points.span(), initial);
@@ -94,7 +111,6 @@ UpdateInput with_dense_model(Job& job, const UpdateInput& input, double spacing,
   result.cloud_names = input.cloud_names;
   result.clouds = input.clouds;
   result.properties = input.properties;
-  if (!result.properties.empty()) result.properties[0] = {};
   result.strays = input.strays;
   ModelInput model =
       dense_model_input(job, input.model_name, {input.model, input.vertex_of_file}, spacing);

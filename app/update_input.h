@@ -38,8 +38,9 @@ struct UpdateInput {
 UpdateInput read_update_input(Job& job, const UpdateArguments& arguments,
                               const UpdateOptions& options);
 
-// The same with the mesh of a file made dense, as --densify has it. Properties of the model are
-// not carried over. Throws InputError as `densified`, and if the samples have no surface.
+// The same with the mesh of a file made dense, as --densify has it. Samples have the properties of
+// the nearest vertex of the mesh. Throws InputError as `densified`, and if the samples have no
+// surface.
 UpdateInput with_dense_model(Job& job, const UpdateInput& input, double spacing,
                              const ReconstructOptions& options);
 

@@ -64,6 +64,7 @@ DensifiedMesh densified(Job& job, const std::string& name, ModelFile model, doub
           counted(mesh.points.size(), "vertex", "vertices"));
   DensifiedMesh dense;
   dense.points = mesh.points.raw();
+  dense.vertices = dense.points.size();
   if (model.vertex_of.empty()) {
     for (const VertexId v : mesh.points.ids()) dense.point_of_vertex.push_back(PointId(v.value));
   } else {
@@ -87,14 +88,15 @@ DensifiedMesh densified(Job& job, const std::string& name, ModelFile model, doub
   return dense;
 }
 
-DensifiedMesh read_densified(Job& job, const std::string& path, double spacing) {
-  ModelFile model = read_model(job, path, "input");
+DensifiedMesh read_densified(Job& job, const std::string& path, double spacing,
+                             VertexProperties* properties) {
+  ModelFile model = read_model(job, path, "input", properties);
   if (model.mesh.triangles.empty()) {
     throw InputError(path +
                      ": --densify needs a mesh, and this file has no triangles; give the mesh, or "
                      "leave --densify out");
   }
-  leave_out_unused_vertices(job, path, "input", model);
+  leave_out_unused_vertices(job, path, "input", model, properties);
   orient_model(job, path, "input", model.mesh);
   return densified(job, path, std::move(model), spacing);
 }

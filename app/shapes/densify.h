@@ -1,6 +1,7 @@
 // --densify: a mesh as a dense sampling of its surface.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,13 @@
 #include "geom/ids.h"
 #include "geom/mesh_check.h"
 #include "geom/point.h"
+#include "io/vertex_properties.h"
 
 namespace cocoon::app {
 
 struct DensifiedMesh {
   std::vector<Point> points;  // vertices of the mesh, then samples between them
+  std::size_t vertices = 0;   // of the mesh
   // Of each vertex of the file, which of them it is; none if no triangle uses it.
   IdVector<VertexId, PointId> point_of_vertex;
   KnownLabelsSource labels;  // where the mesh has inside and outside; empty if it is not closed
@@ -33,7 +36,8 @@ DensifiedMesh densified(Job& job, const std::string& name, ModelFile model, doub
 // The same for a file, as stage "read": reads it (read_model), leaves out vertices that no triangle
 // uses, with a warning, and turns it outward. Throws FileError, and InputError if it has no
 // triangles.
-DensifiedMesh read_densified(Job& job, const std::string& path, double spacing);
+DensifiedMesh read_densified(Job& job, const std::string& path, double spacing,
+                             VertexProperties* properties = nullptr);
 
 // Warns if the surface of the samples has more or fewer handles than the mesh, both closed and of
 // as many parts. `surface`: its certificate. Says nothing of points that are of no mesh.

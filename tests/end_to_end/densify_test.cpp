@@ -170,8 +170,7 @@ TEST(Densify, IsDoneWithoutBeingAskedWhereSurfaceWouldBeLost) {
   EXPECT_EQ(content_of(unasked), content_of(asked));
 }
 
-// A dense model is left as it is, and so is one with colors, which samples between have not.
-TEST(Densify, IsNotDoneWithoutBeingAskedOfDenseModelsAndColoredOnes) {
+TEST(Densify, IsNotDoneWithoutBeingAskedOfDenseModels) {
   const TemporaryFolder folder;
   const std::string cloud = folder.write("knob.xyz", knob());
   const std::string updated = folder.file("updated.ply");
@@ -179,29 +178,56 @@ TEST(Densify, IsNotDoneWithoutBeingAskedOfDenseModelsAndColoredOnes) {
   const std::string dense = folder.file("dense.ply");
   std::string error;
   report_of({"reconstruct", part, "-o", dense, "--densify", "0.12"}, error);
-  Json report = report_of({"update", dense, cloud, "-o", updated}, error);
+  const Json report = report_of({"update", dense, cloud, "-o", updated}, error);
   EXPECT_FALSE(report["update"].contains("coarse_model"));
   EXPECT_FALSE(report["parameters"].contains("densify"));
+  EXPECT_EQ(report["parameters"]["keep_coarse"], false);
+}
 
-  const std::string off = folder.write("plain.off", gear());
-  const TriangleMesh mesh = read_mesh(off);
+// Samples have the color of the nearest vertex.
+TEST(Densify, KeepsColorsOfModels) {
+  const TemporaryFolder folder;
+  const TriangleMesh mesh = read_mesh(folder.write("plain.off", gear()));
   std::string colored =
       "ply\nformat ascii 1.0\nelement vertex 42\nproperty double x\nproperty double y\n"
       "property double z\nproperty uchar red\nelement face 80\n"
       "property list uchar int vertex_indices\nend_header\n";
   for (const Point& p : mesh.points) {
     const std::string line = point_line(p.x, p.y, p.z);
-    colored += line.substr(0, line.size() - 1) + " 200\n";
+    colored += line.substr(0, line.size() - 1) + (p.x < 0 ? " 200\n" : " 100\n");
   }
   for (const auto& [a, b, c] : mesh.triangles) {
     colored += "3 " + std::to_string(a.value) + " " + std::to_string(b.value) + " " +
                std::to_string(c.value) + "\n";
   }
-  report = report_of({"update", folder.write("colored.ply", colored), cloud, "-o", updated}, error);
-  EXPECT_FALSE(report["update"].contains("coarse_model"));
-  EXPECT_NE(report["warnings"].dump().find("make it dense first (--densify SPACING"),
-            std::string::npos)
-      << report["warnings"];
+  const std::string part = folder.write("colored.ply", colored);
+  const std::string cloud = folder.write("knob.xyz", knob());
+  const std::string updated = folder.file("updated.ply");
+  std::string error;
+  for (const bool asked : {false, true}) {
+    std::vector<std::string> arguments = {"update", part, cloud, "-o", updated, "--ascii"};
+    if (asked) arguments.insert(arguments.end(), {"--densify", "0.12"});
+    const Json report = report_of(arguments, error);
+    EXPECT_EQ(report["update"].contains("coarse_model"), !asked);
+    std::ifstream file(updated);
+    std::string line;
+    while (std::getline(file, line) && line != "end_header") {
+    }
+    std::size_t wrong = 0;
+    const auto count = report["surface"]["vertices"].get<std::size_t>();
+    EXPECT_GT(count, 3000U);
+    for (std::size_t v = 0; v < count; ++v) {
+      double x = 0;
+      double y = 0;
+      double z = 0;
+      int red = 0;
+      file >> x >> y >> z >> red;
+      const bool is_scanned = std::hypot(x, y) < 1.3;  // of the cloud, which has no colors
+      const bool is_clear = std::abs(x) > 0.8;         // which vertex is near
+      if (is_clear && !is_scanned) wrong += red != (x < 0 ? 200 : 100) ? 1U : 0U;
+    }
+    EXPECT_EQ(wrong, 0U);
+  }
 }
 
 // Numbers of groups are those of the model that the same update without them takes.
