@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,7 +57,8 @@ bool has_large_triangles(const UpdateInput& input, double share, const CoarseMod
 bool is_coarse(const UpdateInput& input, const UpdateOutcome& outcome,
                const CoarseModelOptions& coarse) {
   if (outcome.update.result.status == UpdateStatus::ok) {
-    return outcome.lost.large_share > AstrayOptions().min_coarse_share;
+    const LostSurface& lost = outcome.lost;
+    return (lost.warns && lost.is_coarse) || lost.large_share > AstrayOptions().min_coarse_share;
   }
   return has_large_triangles(input, coarse.min_large_share_if_refused, coarse);
 }
@@ -83,6 +85,26 @@ std::vector<std::uint8_t> are_replaced(const std::vector<ModelPlace>& places,
   return replaced;
 }
 
+std::vector<TriangleId> all_triangles_of(const TriangleMesh& mesh) {
+  std::vector<TriangleId> all;
+  all.reserve(mesh.triangles.size());
+  for (const TriangleId t : mesh.triangles.ids()) all.push_back(t);
+  return all;
+}
+
+double area_off(std::span<const ModelPlace> places, const TriangleMesh& mesh) {
+  const std::vector<std::uint8_t> off = are_off(places, mesh);
+  double area = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) area += off[k] != 0 ? places[k].area : 0;
+  return area;
+}
+
+// Of the updated mesh where there is neither a sample nor the model.
+double area_made_up(const TriangleMesh& model, std::span<const Scan> scans,
+                    const TriangleMesh& updated) {
+  return area_off(unscanned_places(updated, all_triangles_of(updated), scans), model);
+}
+
 // Areas of the model where nothing was scanned, by which of the two updates passes there; and what
 // they have made up.
 struct KeptAreas {
@@ -96,22 +118,20 @@ struct KeptAreas {
 
 KeptAreas kept_areas(const UpdateInput& input, const UpdateOutcome& outcome,
                      const DenseUpdate& dense) {
-  std::vector<TriangleId> all;
-  for (const TriangleId t : input.model.triangles.ids()) all.push_back(t);
   const UpdateResult& result = outcome.update.result;
   const UpdateResult& of_dense = dense.outcome.update.result;
   const std::vector<Scan> scans = scans_of(input.clouds, of_dense.clouds);
-  const std::vector<ModelPlace> places = unscanned_places(input.model, all, scans);
+  const std::vector<ModelPlace> places =
+      unscanned_places(input.model, all_triangles_of(input.model), scans);
   const std::vector<std::uint8_t> off_dense = are_off(places, of_dense.mesh);
   const std::vector<std::uint8_t> off_first = result.status == UpdateStatus::ok
                                                   ? are_off(places, result.mesh)
                                                   : std::vector<std::uint8_t>(places.size(), 1);
   const std::vector<std::uint8_t> replaced = are_replaced(places, dense);
   KeptAreas areas;
-  areas.made_up_by_dense =
-      area_made_up(dense.input.model, scans, dense.outcome.update, of_dense.mesh);
+  areas.made_up_by_dense = area_made_up(input.model, scans, of_dense.mesh);
   if (result.status == UpdateStatus::ok) {
-    areas.made_up_by_first = area_made_up(input.model, scans, outcome.update, result.mesh);
+    areas.made_up_by_first = area_made_up(input.model, scans, result.mesh);
   }
   for (std::size_t k = 0; k < places.size(); ++k) {
     const double area = places[k].area;

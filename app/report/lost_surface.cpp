@@ -35,22 +35,17 @@ std::vector<TriangleId> new_triangles_of(const MeshChange& change, const Triangl
   return added;
 }
 
-double area_off(std::span<const ModelPlace> places, const TriangleMesh& mesh) {
-  if (places.empty()) return 0;
-  const std::vector<std::uint8_t> off = are_off(places, mesh);
-  double area = 0;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    if (off[k] != 0) area += places[k].area;
-  }
-  return area;
-}
-
-double area_off_of_large(const TriangleMesh& mesh, std::span<const TriangleId> triangles,
-                         const TriangleMesh& other, std::span<const Scan> scans,
-                         const AstrayOptions& options) {
+// Of large ones.
+double area_off(const TriangleMesh& mesh, std::span<const TriangleId> triangles,
+                const TriangleMesh& other, std::span<const Scan> scans,
+                const AstrayOptions& options) {
   std::vector<ModelPlace> places = unscanned_places(mesh, triangles, scans, options);
   std::erase_if(places, [](const ModelPlace& place) { return !place.large; });
-  return area_off(places, other);
+  if (places.empty()) return 0;
+  const std::vector<std::uint8_t> off = are_off(places, other);
+  double area = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) area += off[k] != 0 ? places[k].area : 0;
+  return area;
 }
 
 }  // namespace
@@ -65,8 +60,8 @@ LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vecto
   const LostTriangles& found = lost.triangles;
   const std::vector<Scan> scans = scans_of(clouds, result.clouds);
   const double large =
-      area_off_of_large(model, lost_triangles_of(update.change), updated, scans, options) +
-      area_off_of_large(updated, new_triangles_of(update.change, updated), model, scans, options);
+      area_off(model, lost_triangles_of(update.change), updated, scans, options) +
+      area_off(updated, new_triangles_of(update.change, updated), model, scans, options);
   if (large > 0) lost.large_share = large / TrianglesByArea(model).area();
   if (!(found.lost_area > options.min_coarse_share * found.staying_area)) return lost;
   lost.astray = astray_triangles(model, found.lost, updated, scans, options);
@@ -76,12 +71,6 @@ LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vecto
     return lost.astray.median_longest_edge > options.coarse_ratio * scan.spacing;
   });
   return lost;
-}
-
-double area_made_up(const TriangleMesh& model, std::span<const Scan> scans,
-                    const SessionUpdate& update, const TriangleMesh& updated) {
-  return area_off(unscanned_places(updated, new_triangles_of(update.change, updated), scans),
-                  model);
 }
 
 void add_lost_surface(JsonReport& report, const LostSurface& lost) {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -34,10 +33,6 @@ struct LostSurface {
 // least share of the area is lost.
 LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vector<Point>>& clouds,
                          const SessionUpdate& update, const TriangleMesh& updated);
-
-// The area of new triangles where there is neither a sample nor the model. Precondition: as above.
-double area_made_up(const TriangleMesh& model, std::span<const Scan> scans,
-                    const SessionUpdate& update, const TriangleMesh& updated);
 
 // Its counts, to the section "update".
 void add_lost_surface(JsonReport& report, const LostSurface& lost);

@@ -32,7 +32,7 @@ struct AstrayOptions {
   // triangle's longest side, and than this many spacings of the scans, the largest of several: a
   // plate under large triangles may be thinner than that share of them.
   double tolerance = 0.05;
-  double most_spacings = 1;
+  double most_spacings = 0.5;
   // A place has been scanned if a sample lies within this many spacings of its cloud.
   double reach = 3;
   // For whoever tells of them: worth a warning from this share of the area that stays on.
@@ -40,9 +40,10 @@ struct AstrayOptions {
   // Triangles are too large for the scans if longer than this many of their spacings. The model is
   // too coarse if astray triangles are; else something else went wrong.
   double coarse_ratio = 3;
-  // A trial to make it dense is worth its time if large triangles lose this share of all area: the
-  // sides of a plate are little of it.
-  double min_coarse_share = 0.002;
+  // A trial to make it dense is worth its time if large triangles lose this share of all area. Of
+  // thirty models with finer scans those that are meshes of scans lost 1.1 % at most, those of CAD
+  // programs 2.3 % at least.
+  double min_coarse_share = 0.015;
   // Sides of large triangles are divided into parts no longer, at most so many.
   std::size_t most_parts = 8;
 };

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "geom/mesh/triangles_by_area.h"
 #include "geom/search/closest_facet.h"
@@ -53,17 +52,15 @@ std::vector<ModelPlace> unscanned_places(const TriangleMesh& model,
     scanned.add(scan.samples, options.reach * scan.spacing);
     spacing = std::max(spacing, scan.spacing);
   }
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const bool is_known = spacing > 0;
-  const double large = is_known ? options.coarse_ratio * spacing : infinity;
-  const double most = is_known ? options.most_spacings * spacing : infinity;
+  const double large = options.coarse_ratio * spacing;
   std::vector<ModelPlace> places;
+  if (!(spacing > 0)) return places;
   for (const TriangleId t : triangles) {
     const auto [a, b, c] = corners_of(model, t);
     const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
     const double area = area_of(model, t);
     if (!(area > 0)) continue;
-    ModelPlace place{{}, t, area, std::min(options.tolerance * longest, most), longest > large};
+    ModelPlace place{{}, t, area, options.most_spacings * spacing, longest > large};
     const std::size_t parts = parts_of(longest, large, options.most_parts);
     place.area /= static_cast<double>(parts * parts);
     for_each_middle({a, b, c}, parts, [&](const Point& middle) {

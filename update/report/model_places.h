@@ -23,9 +23,10 @@ struct ModelPlace {
 };
 
 // The middles of the triangles; those of large ones are divided into parts (most_parts), for what
-// is lost of them is seldom all. Places near a sample are left out. Complexity: O(t log n) for t
-// triangles and n samples, and most_parts^2 times as much for large ones. Errors: InputError for
-// options out of range. Source: ours.
+// is lost of them is seldom all. Places near a sample are left out, and all without a spacing. Of
+// `options` reach, most_spacings, coarse_ratio and most_parts are used; spacings are the largest of
+// the scans. Complexity: O(t log n) for t triangles and n samples, and most_parts^2 times as much
+// for large ones. Errors: InputError for options out of range. Source: ours.
 std::vector<ModelPlace> unscanned_places(const TriangleMesh& model,
                                          std::span<const TriangleId> triangles,
                                          std::span<const Scan> scans,
