@@ -145,33 +145,33 @@ KeptAreas kept_areas(const UpdateInput& input, const UpdateOutcome& outcome,
   return areas;
 }
 
-// How much less of the surface is lost or made up by the update of the dense model, which is ok, as
-// a share of it; 0: not enough.
-double share_gained(const UpdateInput& input, const UpdateOutcome& outcome,
-                    const DenseUpdate& dense, const CoarseModelOptions& coarse) {
-  const KeptAreas areas = kept_areas(input, outcome, dense);
+// Whether by the update of the dense model, which is ok, less is lost and made up.
+bool is_better(const KeptAreas& areas, bool first_is_ok, const CoarseModelOptions& coarse) {
   const AstrayOptions astray;
-  if (outcome.update.result.status != UpdateStatus::ok) {
-    const double wrong = areas.neither + areas.made_up_by_dense;
-    return wrong <= astray.min_area_share * areas.all ? areas.only_dense / areas.all : 0;
+  if (!first_is_ok) {
+    return areas.neither + areas.made_up_by_dense <= astray.min_area_share * areas.all;
   }
   const double better = areas.only_dense + areas.made_up_by_first;
   const double worse = areas.only_first + areas.made_up_by_dense;
-  const bool is_enough =
-      better > astray.min_coarse_share * areas.all && worse <= coarse.max_given_up * better;
-  return is_enough ? better / areas.all : 0;
+  return better > astray.min_coarse_share * areas.all && worse <= coarse.max_given_up * better;
 }
 
-std::string warning_of(const UpdateInput& input, const UpdateResult& result, double share,
-                       double spacing) {
-  const std::string what =
-      result.status == UpdateStatus::ok
-          ? fmt::format("{:.2g} % of its surface would be lost or made up", 100 * share)
-          : fmt::format("it cannot be updated so ({})", name_of(result.status));
-  return fmt::format(
+// What the first would have lost and made up, or why it is no use, for the report and the user.
+void tell(Job& job, const UpdateInput& input, const UpdateResult& first, const KeptAreas& areas,
+          double spacing) {
+  std::string what = fmt::format("it cannot be updated so ({})", name_of(first.status));
+  if (first.status == UpdateStatus::ok) {
+    const double lost = areas.only_dense / areas.all;
+    const double made_up = areas.made_up_by_first / areas.all;
+    job.report().set("update/coarse_model/lost_area_share", lost);
+    job.report().set("update/coarse_model/made_up_area_share", made_up);
+    what = fmt::format("of its surface {:.3g} % would be lost and {:.3g} % made up", 100 * lost,
+                       100 * made_up);
+  }
+  job.warn(fmt::format(
       "{} has large triangles, and {}: it was made dense first (as by --densify {}; --keep-coarse "
       "takes its vertices alone)",
-      input.model_name, what, spacing);
+      input.model_name, what, spacing));
 }
 
 // Why it is not taken; empty: it is, and the job was told so. Fills in what of it can be.
@@ -189,14 +189,13 @@ std::string try_dense(Job& job, const UpdateInput& input, const UpdateOutcome& o
   if (result.status != UpdateStatus::ok) {
     return made_dense + fmt::format("cannot be updated ({})", name_of(result.status));
   }
-  const double share =
-      timed(job.execution(), "check", [&] { return share_gained(input, outcome, dense, coarse); });
-  if (!(share > 0)) return made_dense + "keeps no more";
+  const KeptAreas areas =
+      timed(job.execution(), "check", [&] { return kept_areas(input, outcome, dense); });
   const UpdateResult& first = outcome.update.result;
-  if (first.status == UpdateStatus::ok) {
-    job.report().set("update/coarse_model/lost_area_share", share);
+  if (!is_better(areas, first.status == UpdateStatus::ok, coarse)) {
+    return made_dense + "keeps no more";
   }
-  job.warn(warning_of(input, first, share, spacing));
+  tell(job, input, first, areas, spacing);
   return {};
 }
 

@@ -30,8 +30,8 @@ struct CoarseModelOptions {
 // since its triangles are too large for the scans, makes it dense (with_dense_model) and updates it
 // again. If that keeps more of the surface where nothing was scanned, it becomes the `input`, and a
 // warning says so; else the first outcome is returned, and nothing is told of the other but why.
-// Section "update/coarse_model" of the report. What is said of regions holds
-// for the model that is chosen without. Stages come again. Throws InputError as `updated`.
+// Section "update/coarse_model" of the report. What is said of regions holds for the model that is
+// chosen without. Stages come again. Throws InputError as `updated`.
 UpdateOutcome updated_dense_enough(Job& job, UpdateInput& input, const UpdateOptions& options,
                                    const CoarseModelOptions& coarse = {});
 
