@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <fmt/format.h>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,16 +38,15 @@ double spacing_to_try(const UpdateInput& input, const CoarseModelOptions& coarse
   return std::strtod(fmt::format("{:.2g}", spacing).c_str(), nullptr);
 }
 
-// Whether triangles longer than so many spacings are at least this share of the model's area.
+// Whether triangles that are too large for the scans are at least this share of the model's area.
 bool has_large_triangles(const UpdateInput& input, double share, const CoarseModelOptions& coarse) {
-  const double limit = coarse.large * spacing_of(input.clouds, coarse);
+  const double limit = AstrayOptions().coarse_ratio * spacing_of(input.clouds, coarse);
   double area = 0;
   double large = 0;
   for (const TriangleId t : input.model.triangles.ids()) {
-    const auto [a, b, c] = corners_of(input.model, t);
     const double own = area_of(input.model, t);
     area += own;
-    if (std::max({distance(a, b), distance(b, c), distance(c, a)}) > limit) large += own;
+    if (longest_edge(input.model, t) > limit) large += own;
   }
   return large > 0 && large >= share * area;
 }
@@ -70,7 +68,7 @@ struct DenseUpdate {
 };
 
 // Of each place whether its surface goes with the change of the dense model.
-std::vector<std::uint8_t> are_replaced(const std::vector<ModelPlace>& places,
+std::vector<std::uint8_t> are_replaced(const std::vector<ModelPlace>& places, double reach,
                                        const DenseUpdate& dense) {
   const ClosestFacetTree tree(dense.input.model);
   const auto& point_of_vertex = dense.outcome.update.result.replacement.point_of_vertex;
@@ -80,29 +78,9 @@ std::vector<std::uint8_t> are_replaced(const std::vector<ModelPlace>& places,
     const Triangle& corners = dense.input.model.triangles[facet.triangle];
     const bool goes = std::any_of(corners.begin(), corners.end(),
                                   [&](VertexId v) { return point_of_vertex[v].is_none(); });
-    replaced.push_back(goes && facet.squared_distance <= place.reach * place.reach ? 1 : 0);
+    replaced.push_back(goes && facet.squared_distance <= reach * reach ? 1 : 0);
   }
   return replaced;
-}
-
-std::vector<TriangleId> all_triangles_of(const TriangleMesh& mesh) {
-  std::vector<TriangleId> all;
-  all.reserve(mesh.triangles.size());
-  for (const TriangleId t : mesh.triangles.ids()) all.push_back(t);
-  return all;
-}
-
-double area_off(std::span<const ModelPlace> places, const TriangleMesh& mesh) {
-  const std::vector<std::uint8_t> off = are_off(places, mesh);
-  double area = 0;
-  for (std::size_t k = 0; k < places.size(); ++k) area += off[k] != 0 ? places[k].area : 0;
-  return area;
-}
-
-// Of the updated mesh where there is neither a sample nor the model.
-double area_made_up(const TriangleMesh& model, std::span<const Scan> scans,
-                    const TriangleMesh& updated) {
-  return area_off(unscanned_places(updated, all_triangles_of(updated), scans), model);
 }
 
 // Areas of the model where nothing was scanned, by which of the two updates passes there; and what
@@ -120,18 +98,17 @@ KeptAreas kept_areas(const UpdateInput& input, const UpdateOutcome& outcome,
                      const DenseUpdate& dense) {
   const UpdateResult& result = outcome.update.result;
   const UpdateResult& of_dense = dense.outcome.update.result;
-  const std::vector<Scan> scans = scans_of(input.clouds, of_dense.clouds);
-  const std::vector<ModelPlace> places =
-      unscanned_places(input.model, all_triangles_of(input.model), scans);
-  const std::vector<std::uint8_t> off_dense = are_off(places, of_dense.mesh);
+  const UnscannedPlaces unscanned(scans_of(input.clouds, of_dense.clouds));
+  const std::vector<ModelPlace> places = unscanned.of(input.model);
+  const std::vector<std::uint8_t> off_dense = unscanned.are_off(places, of_dense.mesh);
   const std::vector<std::uint8_t> off_first = result.status == UpdateStatus::ok
-                                                  ? are_off(places, result.mesh)
+                                                  ? unscanned.are_off(places, result.mesh)
                                                   : std::vector<std::uint8_t>(places.size(), 1);
-  const std::vector<std::uint8_t> replaced = are_replaced(places, dense);
+  const std::vector<std::uint8_t> replaced = are_replaced(places, unscanned.reach(), dense);
   KeptAreas areas;
-  areas.made_up_by_dense = area_made_up(input.model, scans, of_dense.mesh);
+  areas.made_up_by_dense = unscanned.area_off(unscanned.of(of_dense.mesh), input.model);
   if (result.status == UpdateStatus::ok) {
-    areas.made_up_by_first = area_made_up(input.model, scans, result.mesh);
+    areas.made_up_by_first = unscanned.area_off(unscanned.of(result.mesh), input.model);
   }
   for (std::size_t k = 0; k < places.size(); ++k) {
     const double area = places[k].area;

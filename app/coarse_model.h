@@ -10,10 +10,9 @@
 namespace cocoon::app {
 
 struct CoarseModelOptions {
-  // A triangle is large if longer than this many spacings of the scans.
-  double large = 3;
-  // With regions that are said to go or stay, the model is looked at only if large triangles are at
-  // least this share of its area; where it is refused, if this one. Others lose less than is told.
+  // With regions that are said to go or stay, the model is looked at only if triangles that are too
+  // large for the scans (AstrayOptions::coarse_ratio) are at least this share of its area; where it
+  // is refused, if this one. Others lose less than is told.
   double min_large_share = 0.01;
   double min_large_share_if_refused = 0.5;
   // The spacing of a scan is this part of the distance of its samples from the neighbor of this

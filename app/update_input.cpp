@@ -106,12 +106,9 @@ UpdateInput read_update_input(Job& job, const UpdateArguments& arguments,
 
 UpdateInput with_dense_model(Job& job, const UpdateInput& input, double spacing,
                              const ReconstructOptions& options) {
-  UpdateInput result;
-  result.model_name = input.model_name;
-  result.cloud_names = input.cloud_names;
-  result.clouds = input.clouds;
-  result.properties = input.properties;
-  result.strays = input.strays;
+  UpdateInput result = input;
+  result.is_mesh_of_file = false;
+  result.vertex_of_file = {};
   ModelInput model =
       dense_model_input(job, input.model_name, {input.model, input.vertex_of_file}, spacing);
   reconstruct(job, options, model, result);

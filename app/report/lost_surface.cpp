@@ -1,6 +1,5 @@
 #include "app/report/lost_surface.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <fmt/format.h>
 #include <span>
@@ -15,37 +14,38 @@ namespace cocoon::app {
 
 namespace {
 
-std::vector<TriangleId> lost_triangles_of(const MeshChange& change) {
+std::vector<TriangleId> large_lost(const TriangleMesh& model, const MeshChange& change,
+                                   double large) {
   std::vector<TriangleId> lost;
-  for (const TriangleId t : change.triangle_map.ids()) {
-    if (change.triangle_map[t].is_none()) lost.push_back(t);
+  for (const TriangleId t : model.triangles.ids()) {
+    if (change.triangle_map[t].is_none() && longest_edge(model, t) > large) lost.push_back(t);
   }
   return lost;
 }
 
-std::vector<TriangleId> new_triangles_of(const MeshChange& change, const TriangleMesh& updated) {
+std::vector<TriangleId> large_new(const TriangleMesh& updated, const MeshChange& change,
+                                  double large) {
   IdVector<TriangleId, std::uint8_t> was_there(updated.triangles.size(), 0);
   for (const TriangleId t : change.triangle_map) {
     if (!t.is_none()) was_there[t] = 1;
   }
   std::vector<TriangleId> added;
   for (const TriangleId t : updated.triangles.ids()) {
-    if (was_there[t] == 0) added.push_back(t);
+    if (was_there[t] == 0 && longest_edge(updated, t) > large) added.push_back(t);
   }
   return added;
 }
 
-// Of large ones.
-double area_off(const TriangleMesh& mesh, std::span<const TriangleId> triangles,
-                const TriangleMesh& other, std::span<const Scan> scans,
-                const AstrayOptions& options) {
-  std::vector<ModelPlace> places = unscanned_places(mesh, triangles, scans, options);
-  std::erase_if(places, [](const ModelPlace& place) { return !place.large; });
-  if (places.empty()) return 0;
-  const std::vector<std::uint8_t> off = are_off(places, other);
-  double area = 0;
-  for (std::size_t k = 0; k < places.size(); ++k) area += off[k] != 0 ? places[k].area : 0;
-  return area;
+// LostSurface::large_share. Of most models no triangle is that large.
+double large_share_of(const TriangleMesh& model, const TriangleMesh& updated,
+                      const MeshChange& change, std::span<const Scan> scans, double large) {
+  const std::vector<TriangleId> lost = large_lost(model, change, large);
+  const std::vector<TriangleId> added = large_new(updated, change, large);
+  if (lost.empty() && added.empty()) return 0;
+  const UnscannedPlaces places(scans);
+  const double area = places.area_off(places.of(model, lost), updated) +
+                      places.area_off(places.of(updated, added), model);
+  return area > 0 ? area / TrianglesByArea(model).area() : 0;
 }
 
 }  // namespace
@@ -59,17 +59,13 @@ LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vecto
       lost_triangles(model, result.replacement.point_of_vertex, update.change.triangle_map);
   const LostTriangles& found = lost.triangles;
   const std::vector<Scan> scans = scans_of(clouds, result.clouds);
-  const double large =
-      area_off(model, lost_triangles_of(update.change), updated, scans, options) +
-      area_off(updated, new_triangles_of(update.change, updated), model, scans, options);
-  if (large > 0) lost.large_share = large / TrianglesByArea(model).area();
+  const double large = options.coarse_ratio * largest_spacing(scans);
+  lost.large_share = large_share_of(model, updated, update.change, scans, large);
   if (!(found.lost_area > options.min_coarse_share * found.staying_area)) return lost;
   lost.astray = astray_triangles(model, found.lost, updated, scans, options);
   lost.share = lost.astray.area / found.staying_area;
   lost.warns = *lost.share > options.min_area_share;
-  lost.is_coarse = std::all_of(scans.begin(), scans.end(), [&](const Scan& scan) {
-    return lost.astray.median_longest_edge > options.coarse_ratio * scan.spacing;
-  });
+  lost.is_coarse = lost.astray.median_longest_edge > large;
   return lost;
 }
 
@@ -90,8 +86,7 @@ std::string warning_of_lost_surface(const LostSurface& lost, const std::string& 
   if (lost.is_coarse) {
     return warning +
            ": its triangles are too large; make it dense first (--densify SPACING, about that of "
-           "the "
-           "scans)";
+           "the scans)";
   }
   const Triangle& corners = model.triangles[lost.astray.largest];
   return warning + fmt::format(" ({}, as at {}); look at the result",

@@ -60,6 +60,13 @@ std::string knob() {
   return cloud;
 }
 
+// Both as files.
+struct ScannedGear {
+  TemporaryFolder folder;
+  std::string part = folder.write("part.off", gear());
+  std::string cloud = folder.write("knob.xyz", knob());
+};
+
 Json report_of(const std::vector<std::string>& arguments, std::string& error) {
   std::vector<std::string> all = arguments;
   all.insert(all.end(), {"--json", "-"});
@@ -86,9 +93,8 @@ std::vector<int> places_of_vertices(const TriangleMesh& mesh, const TriangleMesh
 }
 
 TEST(Densify, MakesAPartFitForUpdates) {
-  const TemporaryFolder folder;
-  const std::string part = folder.write("part.off", gear());
-  const std::string cloud = folder.write("knob.xyz", knob());
+  const ScannedGear scanned;
+  const auto& [folder, part, cloud] = scanned;
   const std::string dense = folder.file("dense.ply");
   const std::string updated = folder.file("updated.ply");
   std::string error;
@@ -142,9 +148,8 @@ TEST(Densify, IsSuggestedForABracketOfFewTriangles) {
 
 // The same result as with the option that the warning names.
 TEST(Densify, IsDoneWithoutBeingAskedWhereSurfaceWouldBeLost) {
-  const TemporaryFolder folder;
-  const std::string part = folder.write("part.off", gear());
-  const std::string cloud = folder.write("knob.xyz", knob());
+  const ScannedGear scanned;
+  const auto& [folder, part, cloud] = scanned;
   const std::string unasked = folder.file("unasked.ply");
   const std::string asked = folder.file("asked.ply");
   const std::string map = folder.file("map.txt");
@@ -171,10 +176,9 @@ TEST(Densify, IsDoneWithoutBeingAskedWhereSurfaceWouldBeLost) {
 }
 
 TEST(Densify, IsNotDoneWithoutBeingAskedOfDenseModels) {
-  const TemporaryFolder folder;
-  const std::string cloud = folder.write("knob.xyz", knob());
+  const ScannedGear scanned;
+  const auto& [folder, part, cloud] = scanned;
   const std::string updated = folder.file("updated.ply");
-  const std::string part = folder.write("part.off", gear());
   const std::string dense = folder.file("dense.ply");
   std::string error;
   report_of({"reconstruct", part, "-o", dense, "--densify", "0.12"}, error);
@@ -232,9 +236,8 @@ TEST(Densify, KeepsColorsOfModels) {
 
 // Numbers of groups are those of the model that the same update without them takes.
 TEST(Densify, WithoutBeingAskedIsTheSameWhenGroupsAreNamed) {
-  const TemporaryFolder folder;
-  const std::string part = folder.write("part.off", gear());
-  const std::string cloud = folder.write("knob.xyz", knob());
+  const ScannedGear scanned;
+  const auto& [folder, part, cloud] = scanned;
   const std::string free = folder.file("free.ply");
   const std::string named = folder.file("named.ply");
   std::string error;
@@ -261,9 +264,8 @@ TEST(Densify, IsNamedByWatchWithItsFirstCloud) {
 
 // In one go, as a session and by watching a folder: the same mesh.
 TEST(Densify, OfAModelIsPartOfItsUpdate) {
-  const TemporaryFolder folder;
-  const std::string part = folder.write("part.off", gear());
-  const std::string cloud = folder.write("knob.xyz", knob());
+  const ScannedGear scanned;
+  const auto& [folder, part, cloud] = scanned;
   const std::string dense = folder.file("dense.ply");
   const std::string in_two = folder.file("in_two.ply");
   const std::string in_one = folder.file("in_one.ply");
@@ -430,9 +432,8 @@ TEST(Densify, ANarrowHoleIsKeptAndALostOneTold) {
 }
 
 TEST(Densify, NeedsAMeshAndAPossibleSpacing) {
-  const TemporaryFolder folder;
-  const std::string part = folder.write("part.off", gear());
-  const std::string cloud = folder.write("knob.xyz", knob());
+  const ScannedGear scanned;
+  const auto& [folder, part, cloud] = scanned;
   const std::string mesh = folder.file("mesh.ply");
   ProgramRun run = run_program({"reconstruct", cloud, "-o", mesh, "--densify", "1"});
   EXPECT_EQ(run.exit_code, 1);

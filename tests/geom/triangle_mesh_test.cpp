@@ -42,6 +42,7 @@ TEST(TriangleMesh, CornersInOrder) {
   EXPECT_EQ(edge_length(mesh, TriangleId(0), 0), 4);
   EXPECT_EQ(edge_length(mesh, TriangleId(0), 1), 3);
   EXPECT_EQ(edge_length(mesh, TriangleId(0), 2), 5);
+  EXPECT_EQ(longest_edge(mesh, TriangleId(0)), 5);
   EXPECT_EQ(shortest_edge(mesh, TriangleId(0)), 3);
 }
 

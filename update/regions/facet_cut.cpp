@@ -12,7 +12,7 @@ namespace cocoon {
 namespace {
 
 // In steps. Sums of 4 million edges fit into 62 bits, whatever the scale of the model.
-constexpr double longest_edge = 0x1p40;
+constexpr double most_steps = 0x1p40;  // of an edge
 
 // The facets near those that pull, as nodes of a graph.
 class Zone {
@@ -113,7 +113,7 @@ std::int64_t edge_in_steps(const ModelIndex& model, TriangleId t, std::size_t i,
   const bool is_dear = costs.dear != nullptr &&
                        ((*costs.dear)[t] != 0 || (!next.is_none() && (*costs.dear)[next] != 0));
   if (is_dear) steps *= costs.dear_factor;
-  return std::llround(std::clamp(steps, 1.0, longest_edge));
+  return std::llround(std::clamp(steps, 1.0, most_steps));
 }
 
 TriangleSet facet_cut(const ModelIndex& model, const TriangleSet& border,

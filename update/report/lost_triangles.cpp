@@ -58,17 +58,15 @@ AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const Tria
   require_options("astray_triangles", options);
   const ClosestFacetTree tree(updated);
   ScannedPlaces scanned;
-  double most = scans.empty() ? std::numeric_limits<double>::infinity() : 0;
-  for (const Scan& scan : scans) {
-    scanned.add(scan.samples, options.reach * scan.spacing);
-    most = std::max(most, options.most_spacings * scan.spacing);
-  }
+  for (const Scan& scan : scans) scanned.add(scan.samples, options.reach * scan.spacing);
+  const double most = scans.empty() ? std::numeric_limits<double>::infinity()
+                                    : options.most_spacings * largest_spacing(scans);
   AstrayTriangles result;
   std::vector<Sized> found;
   double largest = 0;
   for (const TriangleId t : triangles) {
     const auto [a, b, c] = corners_of(model, t);
-    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    const double longest = longest_edge(model, t);
     const double limit = std::min(options.tolerance * longest, most);
     const Point middle = a + (1.0 / 3) * ((b - a) + (c - a));
     if (tree.closest(middle).squared_distance <= limit * limit) continue;

@@ -7,7 +7,6 @@
 
 #include "geom/mesh/triangles_by_area.h"
 #include "geom/search/closest_facet.h"
-#include "update/cloud/scanned_places.h"
 #include "update/stage_options.h"
 
 namespace cocoon {
@@ -41,45 +40,55 @@ std::size_t parts_of(double longest, double limit, std::size_t most) {
 
 }  // namespace
 
-std::vector<ModelPlace> unscanned_places(const TriangleMesh& model,
-                                         std::span<const TriangleId> triangles,
-                                         std::span<const Scan> scans,
-                                         const AstrayOptions& options) {
-  require_options("unscanned_places", options);
-  ScannedPlaces scanned;
-  double spacing = 0;
-  for (const Scan& scan : scans) {
-    scanned.add(scan.samples, options.reach * scan.spacing);
-    spacing = std::max(spacing, scan.spacing);
-  }
-  const double large = options.coarse_ratio * spacing;
+UnscannedPlaces::UnscannedPlaces(std::span<const Scan> scans, const AstrayOptions& options)
+    : options_(options), spacing_(largest_spacing(scans)) {
+  require_options("UnscannedPlaces", options);
+  for (const Scan& scan : scans) scanned_.add(scan.samples, options.reach * scan.spacing);
+}
+
+std::vector<ModelPlace> UnscannedPlaces::of(const TriangleMesh& mesh,
+                                            std::span<const TriangleId> triangles) const {
   std::vector<ModelPlace> places;
-  if (!(spacing > 0)) return places;
-  for (const TriangleId t : triangles) {
-    const auto [a, b, c] = corners_of(model, t);
-    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    const double area = area_of(model, t);
-    if (!(area > 0)) continue;
-    ModelPlace place{{}, t, area, options.most_spacings * spacing, longest > large};
-    const std::size_t parts = parts_of(longest, large, options.most_parts);
-    place.area /= static_cast<double>(parts * parts);
-    for_each_middle({a, b, c}, parts, [&](const Point& middle) {
-      if (scanned.contain(middle)) return;
-      place.at = middle;
-      places.push_back(place);
-    });
-  }
+  for (const TriangleId t : triangles) append(mesh, t, places);
   return places;
 }
 
-std::vector<std::uint8_t> are_off(std::span<const ModelPlace> places, const TriangleMesh& updated) {
-  const ClosestFacetTree tree(updated);
+std::vector<ModelPlace> UnscannedPlaces::of(const TriangleMesh& mesh) const {
+  std::vector<ModelPlace> places;
+  for (const TriangleId t : mesh.triangles.ids()) append(mesh, t, places);
+  return places;
+}
+
+void UnscannedPlaces::append(const TriangleMesh& mesh, TriangleId t,
+                             std::vector<ModelPlace>& places) const {
+  const double area = area_of(mesh, t);
+  if (!(area > 0) || !(spacing_ > 0)) return;
+  const std::size_t parts =
+      parts_of(longest_edge(mesh, t), options_.coarse_ratio * spacing_, options_.most_parts);
+  const double of_part = area / static_cast<double>(parts * parts);
+  for_each_middle(corners_of(mesh, t), parts, [&](const Point& middle) {
+    if (!scanned_.contain(middle)) places.push_back({middle, of_part});
+  });
+}
+
+std::vector<std::uint8_t> UnscannedPlaces::are_off(std::span<const ModelPlace> places,
+                                                   const TriangleMesh& mesh) const {
+  if (places.empty()) return {};
+  const ClosestFacetTree tree(mesh);
   std::vector<std::uint8_t> off;
   off.reserve(places.size());
   for (const ModelPlace& place : places) {
-    off.push_back(tree.squared_distance(place.at) > place.reach * place.reach ? 1 : 0);
+    off.push_back(tree.squared_distance(place.at) > reach() * reach() ? 1 : 0);
   }
   return off;
+}
+
+double UnscannedPlaces::area_off(std::span<const ModelPlace> places,
+                                 const TriangleMesh& mesh) const {
+  const std::vector<std::uint8_t> off = are_off(places, mesh);
+  double area = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) area += off[k] != 0 ? places[k].area : 0;
+  return area;
 }
 
 }  // namespace cocoon

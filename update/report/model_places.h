@@ -1,5 +1,4 @@
-// Places all over a model where nothing was scanned, and whether an updated mesh still passes
-// there.
+// Places all over a mesh where nothing was scanned, and whether another mesh passes there, too.
 #pragma once
 
 #include <cstdint>
@@ -10,29 +9,45 @@
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 #include "update/cloud/scan.h"
+#include "update/cloud/scanned_places.h"
 #include "update/report/lost_triangles.h"
 
 namespace cocoon {
 
 struct ModelPlace {
   Point at;
-  TriangleId triangle;
-  double area = 0;     // that it stands for
-  double reach = 0;    // a mesh passes there if it is no farther than this
-  bool large = false;  // its triangle is too large for the scans (AstrayOptions::coarse_ratio)
+  double area = 0;  // that it stands for
 };
 
-// The middles of the triangles; those of large ones are divided into parts (most_parts), for what
-// is lost of them is seldom all. Places near a sample are left out, and all without a spacing. Of
-// `options` reach, most_spacings, coarse_ratio and most_parts are used; spacings are the largest of
-// the scans. Complexity: O(t log n) for t triangles and n samples, and most_parts^2 times as much
-// for large ones. Errors: InputError for options out of range. Source: ours.
-std::vector<ModelPlace> unscanned_places(const TriangleMesh& model,
-                                         std::span<const TriangleId> triangles,
-                                         std::span<const Scan> scans,
-                                         const AstrayOptions& options = {});
+// Spacings are the largest of the scans. Of the options reach, most_spacings, coarse_ratio and
+// most_parts are used. Source: ours.
+class UnscannedPlaces {
+ public:
+  // Keeps copies of the samples. Complexity: O(n log n). Errors: InputError for options out of
+  // range.
+  explicit UnscannedPlaces(std::span<const Scan> scans, const AstrayOptions& options = {});
 
-// Of each place whether the mesh, which has triangles, does not pass there. Complexity: O(log t).
-std::vector<std::uint8_t> are_off(std::span<const ModelPlace> places, const TriangleMesh& updated);
+  // The middles of the triangles; those of large ones (longer than coarse_ratio spacings) are
+  // divided into parts, for what is lost of them is seldom all. Places near a sample are left out,
+  // and all without a spacing. Complexity: O(log n) for each triangle, and most_parts^2 times as
+  // much for large ones.
+  std::vector<ModelPlace> of(const TriangleMesh& mesh, std::span<const TriangleId> triangles) const;
+  std::vector<ModelPlace> of(const TriangleMesh& mesh) const;  // all of them
+
+  // A mesh passes at a place if it is no farther than this.
+  double reach() const { return options_.most_spacings * spacing_; }
+  // Of each place whether the mesh, which has triangles, does not pass there. Complexity: O(log t).
+  std::vector<std::uint8_t> are_off(std::span<const ModelPlace> places,
+                                    const TriangleMesh& mesh) const;
+  // The area of these places. Complexity: the same.
+  double area_off(std::span<const ModelPlace> places, const TriangleMesh& mesh) const;
+
+ private:
+  void append(const TriangleMesh& mesh, TriangleId t, std::vector<ModelPlace>& places) const;
+
+  AstrayOptions options_;
+  double spacing_;
+  ScannedPlaces scanned_;
+};
 
 }  // namespace cocoon
