@@ -16,7 +16,8 @@ BallCosines::BallCosines(const Triangulation& triangulation, double flat_ratio)
     : triangulation_(triangulation),
       flat_ratio_(flat_ratio),
       cosines_(triangulation.num_cells()),
-      known_(triangulation.num_cells()) {}
+      known_(triangulation.num_cells()),
+      ends_(triangulation.num_cells()) {}
 
 ZeroedArray<CellId, Point> BallCosines::prepare(std::span<const CellId> cells,
                                                 const Execution& execution) {
@@ -60,12 +61,21 @@ double BallCosines::contact(FacetId f) {
 
 // For whom enters the flat cell of f by f.
 CellId BallCosines::through(FacetId f) {
-  for (int passed = 0; passed < max_flat_cells; ++passed) {
+  passed_.clear();
+  std::uint32_t end = not_asked;
+  while (end == not_asked) {
     const CellId c = cell_of(f);
-    if (!is_flat(c)) return c;
+    if (!is_flat(c)) {
+      end = first_end + c.value;
+      break;
+    }
+    std::uint32_t& known = ends_[c][static_cast<std::size_t>(index_of(f))];
+    end = std::exchange(known, known == not_asked ? nowhere : known);
+    passed_.push_back(f);
     f = triangulation_.mirror(facet_id(c, far_side(f)));
   }
-  return {};
+  for (const FacetId g : passed_) ends_[cell_of(g)][static_cast<std::size_t>(index_of(g))] = end;
+  return end == nowhere ? CellId() : CellId(end - first_end);
 }
 
 // By which the facets of a cell compare: the area; ties by the vertex that they do not have.

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "delaunay/triangulation.h"
 #include "geom/arrays/zeroed_array.h"
@@ -19,8 +20,8 @@
 namespace cocoon {
 
 // Computed when asked for, or ahead (but for flat cells), for the four facets of a cell at once,
-// and remembered: 33 bytes for each cell that was asked about. Every question may write: not to be
-// shared by threads.
+// and remembered: 33 bytes for each cell that was asked about, 16 more for each flat one. Every
+// question may write: not to be shared by threads.
 class BallCosines {
  public:
   // Keeps the reference, which must outlive the object. O(1). A cell is flat if its height over its
@@ -58,8 +59,9 @@ class BallCosines {
   }
 
   // The cell behind facet f, through flat ones, each of which is left by the largest facet that
-  // faces the other way than the one by which it was entered; none if that leads through more than
-  // max_flat_cells. O(1) but for those.
+  // faces the other way than the one by which it was entered; none if that leads back to where it
+  // has been. O(1) but for those; each is passed once, however many questions lead through it: a
+  // plane whose coordinates differ by rounding alone may have a thousand one over the other.
   CellId beyond(FacetId f) {
     const FacetId behind = triangulation_.mirror(f);
     return is_flat(cell_of(behind)) ? through(behind) : cell_of(behind);
@@ -69,7 +71,6 @@ class BallCosines {
   std::array<CellId, 2> sides_of_flat(CellId c);
 
  private:
-  static constexpr int max_flat_cells = 64;
   // seen_through: a flat cell whose cosines are those of the balls seen through it.
   enum class Known : std::uint8_t { nothing = 0, cosines, flat, seen_through };
   Known known(CellId c) {
@@ -82,6 +83,10 @@ class BallCosines {
   void look_through(CellId c);
   double cosine_through(FacetId f);
   CellId through(FacetId f);
+  // What is known of where a facet of a flat cell leads; other values are first_end + a cell.
+  static constexpr std::uint32_t not_asked = 0;
+  static constexpr std::uint32_t nowhere = 1;
+  static constexpr std::uint32_t first_end = 2;
   std::pair<double, Point> size_in_cell(FacetId f) const;
   int far_side(FacetId f) const;
 
@@ -89,6 +94,8 @@ class BallCosines {
   double flat_ratio_;
   ZeroedArray<CellId, std::array<double, 4>> cosines_;
   ZeroedArray<CellId, Known> known_;
+  ZeroedArray<CellId, std::array<std::uint32_t, 4>> ends_;
+  std::vector<FacetId> passed_;  // of one walk
 };
 
 }  // namespace cocoon

@@ -12,6 +12,7 @@
 #include "cocone/reconstruct.h"
 #include "geom/errors.h"
 #include "geom/execution.h"
+#include "geom/mesh/dense_samples.h"
 #include "geom/mesh_check.h"
 #include "geom/random/random.h"
 #include "geom/surface_distance.h"
@@ -198,6 +199,17 @@ TEST(CleanUpCells, HolesBesideWallsOpenByCloserClusters) {
   ReconstructOptions loose;
   loose.clean_up.deeper_cosine = loose.clean_up.deep_cosine;
   EXPECT_EQ(mesh_check(reconstruct_tight(points, loose).mesh).euler, -10);
+}
+
+// The underside of the ring is a plane but for the last digits of its coordinates: between dense
+// samples of it flat cells lie more than a hundred deep.
+TEST(CleanUpCells, OneLooksThroughPilesOfFlatCellsOfAnyHeight) {
+  const TriangleMesh ring = read_mesh(std::string(COCOON_TEST_DATA) + "/models/fixed_top.ply");
+  std::vector<Point> points = dense_samples(ring, {.spacing = 1.5});
+  points.insert(points.end(), ring.points.begin(), ring.points.end());
+  const MeshReport report = mesh_check(reconstruct_tight(points).mesh);
+  EXPECT_TRUE(report.is_closed_manifold());
+  EXPECT_EQ(report.euler, -12);
 }
 
 // As the inside of a body would be; it is counted, whatever the order of the points.

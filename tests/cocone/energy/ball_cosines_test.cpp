@@ -11,6 +11,7 @@
 #include "cocone/facets/cell_order.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/voronoi_dual.h"
+#include "geom/random/random.h"
 #include "tests/gallery.h"
 
 namespace cocoon {
@@ -182,6 +183,29 @@ TEST(BallCosines, BallsMeetThroughFlatCells) {
     const auto [one, other] = cosines.sides_of_flat(c);
     EXPECT_EQ(disk.ends.at(one) * disk.ends.at(other), -1);
   }
+}
+
+// Two triangles of a face that meet at less than a rounding error: between their samples and the
+// convex hull, whose facets lead from one to the other, the cells are flat, and lie on each other.
+TEST(BallCosines, PilesOfAnyHeightAreLookedThrough) {
+  Random random(5);
+  std::vector<Point> points = {{0.5, 0.5, 1}};
+  for (int k = 0; k < 2000; ++k) {
+    const double x = random.uniform();
+    const double y = random.uniform();
+    points.push_back({x, y, -1e-15 * std::abs(x - y)});
+  }
+  const Triangulation t = delaunay(points).triangulation;
+  BallCosines cosines(t, 1e-6);
+  std::size_t flat = 0;
+  for (const CellId c : t.finite_cells()) {
+    if (!cosines.is_flat(c)) continue;
+    ++flat;
+    const auto [one, other] = cosines.sides_of_flat(c);
+    ASSERT_FALSE(one.is_none() || other.is_none());
+    EXPECT_NE(t.is_infinite(one), t.is_infinite(other));  // the other one has the apex
+  }
+  EXPECT_GT(flat, 5000U);
 }
 
 }  // namespace
