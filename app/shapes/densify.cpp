@@ -1,6 +1,7 @@
 #include "app/shapes/densify.h"
 
 #include <fmt/format.h>
+#include <memory>
 #include <utility>
 
 #include "app/files/files.h"
@@ -8,6 +9,7 @@
 #include "cocone/reconstruct.h"
 #include "cocone/solid/conforming_samples.h"
 #include "cocone/solid/labels_of_solid.h"
+#include "cocone/solid/solid_distances.h"
 #include "geom/errors.h"
 #include "geom/mesh/dense_samples.h"
 #include "geom/mesh_check.h"
@@ -34,11 +36,13 @@ bool have_topology_of(const MeshReport& mesh, const std::vector<Point>& samples,
 KnownLabelsSource conform(Job& job, TriangleMesh mesh, double spacing, DensifiedMesh& dense,
                           const Execution& execution) {
   std::vector<Point>& samples = dense.points;
-  KnownLabelsSource labels = labels_told_by(mesh, samples, labels_of_crossing_cells);
+  const SolidDistances solid(std::make_shared<const TriangleMesh>(std::move(mesh)));
+  KnownLabelsSource labels = labels_told_by(solid, samples, labels_of_crossing_cells);
   if (have_topology_of(dense.certificate, samples, dense.has_hollow, labels, execution)) {
     return labels;
   }
-  const ConformingSamples more = conforming_samples(mesh, samples, {.spacing = spacing}, execution);
+  const ConformingSamples more =
+      conforming_samples(solid, samples, {.spacing = spacing}, execution);
   job.report().set("input/conforming_samples", more.added.size());
   job.report().set("input/conforming_rounds", more.rounds);
   if (!more.added.empty()) {
@@ -46,7 +50,7 @@ KnownLabelsSource conform(Job& job, TriangleMesh mesh, double spacing, Densified
             counted(more.added.size(), "sample"), spacing);
   }
   samples.insert(samples.end(), more.added.begin(), more.added.end());
-  return labels_told_by(std::move(mesh), samples);
+  return labels_told_by(solid, samples);
 }
 
 }  // namespace

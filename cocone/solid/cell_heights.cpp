@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "cocone/facets/cell_order.h"
-#include "geom/signed_distance.h"
 
 namespace cocoon {
 namespace {
@@ -82,7 +81,7 @@ CentroidHeight with_sizes(const Triangulation& triangulation, CellId c, double h
 
 // Takes in the middles of the edges of cells[k], for each k of `open`.
 void add_edges(const Triangulation& triangulation, std::span<const CellId> cells,
-               const std::vector<std::size_t>& open, const TriangleMesh& solid,
+               const std::vector<std::size_t>& open, const SolidDistances& solid,
                std::vector<CellHeights>& heights, const Execution& execution) {
   std::vector<CellId> open_cells;
   open_cells.reserve(open.size());
@@ -92,7 +91,7 @@ void add_edges(const Triangulation& triangulation, std::span<const CellId> cells
   std::vector<Point> middles;
   middles.reserve(edges.size());
   for (const Edge edge : edges) middles.push_back(middle_of(triangulation, edge));
-  const std::vector<double> distances = signed_distances(solid, middles, execution);
+  const std::vector<double> distances = solid.at(middles, execution);
   for (const std::size_t k : open) {
     for (const Edge edge : edges_of(triangulation, cells[k])) {
       const auto found = std::lower_bound(edges.begin(), edges.end(), edge);
@@ -105,13 +104,13 @@ void add_edges(const Triangulation& triangulation, std::span<const CellId> cells
 }  // namespace
 
 std::vector<CellHeights> cell_heights(const Triangulation& triangulation,
-                                      std::span<const CellId> cells, const TriangleMesh& solid,
+                                      std::span<const CellId> cells, const SolidDistances& solid,
                                       CellPlaces places, const IsSettled& is_settled,
                                       const Execution& execution) {
   std::vector<Point> centroids;
   centroids.reserve(cells.size());
   for (const CellId c : cells) centroids.push_back(centroid(triangulation, c));
-  const std::vector<double> distances = signed_distances(solid, centroids, execution);
+  const std::vector<double> distances = solid.at(centroids, execution);
 
   std::vector<CellHeights> heights(cells.size());
   std::vector<std::size_t> open;

@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "cocone/solid/solid_distances.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/ids.h"
 #include "geom/point.h"
-#include "geom/triangle_mesh.h"
 
 namespace cocoon {
 
@@ -53,11 +53,11 @@ using IsSettled = std::function<bool(const CentroidHeight&)>;
 
 // Of each of these finite cells, at these places; of cells that are settled, at the centroid alone,
 // which halves the time where the question is on which side cells lie. `is_settled` may be empty,
-// and is called by the calling thread. `solid` is in the coordinates of the
-// triangulation's vertices. Throws InputError as signed_distances(); Cancelled. Complexity: O((t +
-// n) log t) for t triangles and n cells. Deterministic for any thread count.
+// and is called by the calling thread. `solid` is in the coordinates of the triangulation's
+// vertices. Throws InputError as signed_distances(); Cancelled. Complexity: O((t + n) log t) for t
+// triangles and n cells. Deterministic for any thread count.
 std::vector<CellHeights> cell_heights(const Triangulation& triangulation,
-                                      std::span<const CellId> cells, const TriangleMesh& solid,
+                                      std::span<const CellId> cells, const SolidDistances& solid,
                                       CellPlaces places, const IsSettled& is_settled = {},
                                       const Execution& execution = {});
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cocone/solid/cell_heights.h"
@@ -57,13 +58,13 @@ struct Place {
 
 class Refinement {
  public:
-  Refinement(const TriangleMesh& solid, Points samples, const ConformingOptions& options,
+  Refinement(SolidDistances solid, Points samples, const ConformingOptions& options,
              const Execution& execution)
-      : solid_(solid),
+      : solid_(std::move(solid)),
         options_(options),
         execution_(execution),
-        surface_(solid),
-        edges_(tree_of_sharp_edges(solid, options.smooth_cosine, execution)),
+        surface_(solid_.solid()),
+        edges_(tree_of_sharp_edges(solid_.solid(), options.smooth_cosine, execution)),
         points_(samples.begin(), samples.end()),
         given_(samples.size()) {}
 
@@ -157,7 +158,7 @@ class Refinement {
     return open;
   }
 
-  const TriangleMesh& solid_;
+  SolidDistances solid_;
   const ConformingOptions& options_;
   const Execution& execution_;
   ClosestFacetTree surface_;
@@ -170,7 +171,7 @@ class Refinement {
 }  // namespace
 
 // Projections take fourth powers of lengths: beyond working sizes they would overflow or vanish.
-ConformingSamples conforming_samples(const TriangleMesh& solid, Points samples,
+ConformingSamples conforming_samples(const SolidDistances& solid, Points samples,
                                      const ConformingOptions& options, const Execution& execution) {
   constexpr const char* stage = "conforming_samples";
   require_amounts(
@@ -179,13 +180,14 @@ ConformingSamples conforming_samples(const TriangleMesh& solid, Points samples,
   if (!(options.spacing > 0) || !std::isfinite(options.spacing)) {
     throw InputError("the spacing of samples must be a positive number");
   }
-  if (!mesh_check(solid, {}, execution).balanced) return {};
-  const double scale = working_scale(solid.points.raw());
+  if (!mesh_check(solid.solid(), {}, execution).balanced) return {};
+  const double scale = working_scale(solid.solid().points.raw());
   if (scale == 1) return Refinement(solid, samples, options, execution).run();
   ConformingOptions scaled_options = options;
   scaled_options.spacing *= scale;
+  const TriangleMesh scaled_solid = scaled(solid.solid(), scale);
   ConformingSamples result =
-      Refinement(scaled(solid, scale), scaled(samples, scale), scaled_options, execution).run();
+      Refinement(scaled_solid, scaled(samples, scale), scaled_options, execution).run();
   for (Point& p : result.added) p = p / scale;
   return result;
 }

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "cocone/solid/solid_distances.h"
 #include "geom/execution.h"
 #include "geom/mesh/sharp_edges.h"
 #include "geom/point.h"
-#include "geom/triangle_mesh.h"
 
 namespace cocoon {
 
@@ -43,7 +43,7 @@ struct ConformingSamples {
 // less in later rounds, and a triangulation in each. Deterministic for any thread count. Source:
 // ours. It is Delaunay refinement, as of Shewchuk 1998 (segments first, then facets) and Boissonnat
 // & Oudot 2005 (points on the surface), with the sides of a cell as the test.
-ConformingSamples conforming_samples(const TriangleMesh& solid, Points samples,
+ConformingSamples conforming_samples(const SolidDistances& solid, Points samples,
                                      const ConformingOptions& options,
                                      const Execution& execution = {});
 

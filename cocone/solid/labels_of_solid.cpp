@@ -13,7 +13,7 @@
 
 namespace cocoon {
 
-KnownLabels labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+KnownLabels labels_of_solid(const Triangulation& triangulation, const SolidDistances& solid,
                             const LabelsOfSolidOptions& options, const Execution& execution) {
   std::vector<CellId> cells;
   cells.reserve(triangulation.num_finite_cells());
@@ -23,7 +23,7 @@ KnownLabels labels_of_solid(const Triangulation& triangulation, const TriangleMe
   return known;
 }
 
-void add_labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+void add_labels_of_solid(const Triangulation& triangulation, const SolidDistances& solid,
                          std::span<const CellId> cells, KnownLabels& known,
                          const LabelsOfSolidOptions& options, const Execution& execution) {
   if (!known.labels.empty()) {
@@ -31,7 +31,7 @@ void add_labels_of_solid(const Triangulation& triangulation, const TriangleMesh&
                  triangulation.num_cells());
   }
   require_amounts("add_labels_of_solid", {{"min_depth", options.min_depth}});
-  if (!mesh_check(solid).balanced) return;
+  if (!mesh_check(solid.solid()).balanced) return;
   const auto is_settled = [&](const CentroidHeight& middle) {
     const double height = std::abs(middle.height);
     return height > options.min_depth * middle.longest_edge && height > middle.most_beyond();
@@ -47,15 +47,14 @@ void add_labels_of_solid(const Triangulation& triangulation, const TriangleMesh&
   }
 }
 
-KnownLabelsSource labels_told_by(TriangleMesh solid, Points samples,
+KnownLabelsSource labels_told_by(SolidDistances solid, Points samples,
                                  const LabelsOfSolidOptions& options) {
   if (const double scale = working_scale(samples); scale != 1) {
-    solid = scaled(std::move(solid), scale);
+    solid = SolidDistances(std::make_shared<const TriangleMesh>(scaled(solid.solid(), scale)));
   }
-  const auto kept = std::make_shared<const TriangleMesh>(std::move(solid));
-  return [kept, options](const Triangulation& triangulation, const FacetSet&,
-                         const Execution& execution) {
-    return labels_of_solid(triangulation, *kept, options, execution);
+  return [solid = std::move(solid), options](const Triangulation& triangulation, const FacetSet&,
+                                             const Execution& execution) {
+    return labels_of_solid(triangulation, solid, options, execution);
   };
 }
 

@@ -5,6 +5,7 @@
 
 #include "cocone/known_labels.h"
 #include "cocone/solid/cell_heights.h"
+#include "cocone/solid/solid_distances.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/ids.h"
@@ -33,18 +34,19 @@ inline constexpr LabelsOfSolidOptions labels_of_crossing_cells = {CellPlaces::ce
 // Throws InputError as signed_distances() and for a depth that is negative or no number; Cancelled.
 // Complexity: O((t + n) log t) for t triangles and n cells. Deterministic for any thread count.
 // Source: ours, docs/stages/mark_cells.md.
-KnownLabels labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+KnownLabels labels_of_solid(const Triangulation& triangulation, const SolidDistances& solid,
                             const LabelsOfSolidOptions& options = {},
                             const Execution& execution = {});
 
 // The same for `cells` only, beside what is known of others.
-void add_labels_of_solid(const Triangulation& triangulation, const TriangleMesh& solid,
+void add_labels_of_solid(const Triangulation& triangulation, const SolidDistances& solid,
                          std::span<const CellId> cells, KnownLabels& known,
                          const LabelsOfSolidOptions& options = {}, const Execution& execution = {});
 
 // Asks labels_of_solid for `solid`, in the coordinates of its samples, in their triangulation: that
-// of working_scale(samples) times them (reconstruct.h). Keeps the mesh. Complexity: O(n + t).
-KnownLabelsSource labels_told_by(TriangleMesh solid, Points samples,
+// of working_scale(samples) times them (reconstruct.h). Keeps `solid`: of a mesh the reference,
+// which must outlive the result (solid_distances.h). Complexity: O(n + t).
+KnownLabelsSource labels_told_by(SolidDistances solid, Points samples,
                                  const LabelsOfSolidOptions& options = {});
 
 }  // namespace cocoon
