@@ -14,6 +14,7 @@
 #include "cocone/energy/cell_cut.h"
 #include "cocone/energy/label_evidence.h"
 #include "cocone/inputs/stage_inputs.h"
+#include "cocone/marking/known_hollows.h"
 
 namespace cocoon {
 namespace {
@@ -126,8 +127,11 @@ class CleanUp {
   void fill_cavities() {
     // As the peel left them all were reached from infinity.
     if (is_reach_kept(triangulation_, labels_.out, relabeled_)) return;
-    const IdVector<CellId, std::uint8_t> reached =
-        reached_from_infinity(triangulation_, labels_.out);
+    IdVector<CellId, std::uint8_t> reached = reached_from_infinity(triangulation_, labels_.out);
+    if (options_.keep_hollows && !marks_.known.empty()) {
+      extend_reach(triangulation_, labels_.out,
+                   known_hollow_cells(triangulation_, marks_.known, reached), reached);
+    }
     for (const CellId c : triangulation_.finite_cells()) {
       if (labels_.out[c] == reached[c]) continue;
       ++counters_.filled_cells;

@@ -24,10 +24,11 @@
 //     the others held as marked: a minimum cut, so a global optimum; of several the one with most
 //     IN cells. Flat cells (ball_cosines.h) are no part of that: other cells meet through them,
 //     each of their facets counting half, and they are OUT if one of their sides is. OUT cells that
-//     infinity cannot reach through OUT cells are then filled, as in the peel.
+//     infinity cannot reach through OUT cells are then filled, as in the peel, but for hollows that
+//     are to be kept (known_hollows.h).
 //  2. Moves. At a defect or an unused sample single cells, pairs, and parts of stars change sides
 //     where that lowers E, unless they would begin a new part of the body or a cavity, or what they
-//     leave would fall apart.
+//     leave would fall apart, or reach far for a sample that is near the surface (far_reach.h).
 //  3. Clusters. At idle samples, in doubt or beside those in doubt, whole clusters of cells
 //     (cell_cluster.h) change sides where that lowers E, under the same conditions, and if no
 //     sample on the surface is left out: holes of which only the rims are sampled open. Moves
@@ -100,6 +101,10 @@ struct CleanUpOptions {
   std::size_t most_move_cells = 3000;
   double defect_cost = 16;
   double unused_cost = 8;  // a tent over one triangle costs less than 6
+  // A sample that is not on the surface, but no farther from it than so many of its spacings, is
+  // brought there by no cell that has a good vertex and an edge longer than stretch_ratio spacings
+  // (far_reach.h). 0: by any; then slivers from the far side of the body change sides for it.
+  double near_surface = 0.5;
   // A sample that the peel left out is not missed if its spacing exceeds this many times the median
   // of its neighbors' (sample_spacing.h, by three edges): it would become a spike.
   double outlier_ratio = 2.5;
@@ -126,6 +131,9 @@ struct CleanUpOptions {
   // and scans have 250 at most.
   std::size_t most_closing_cells = 1000;
   double component_cost = 100;  // a part is dropped if it uses few samples: fewer than about 12
+  // Hollows of which labels are known beforehand (known_hollows.h) are not filled, and are repaired
+  // as all else is. Set by ReconstructOptions::keep_cavities.
+  bool keep_hollows = false;
 };
 
 struct CleanUpCounters {

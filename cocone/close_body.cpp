@@ -203,7 +203,12 @@ ClosedBody close_body(const MarkedSurface& marked, CellMarks peeled, const Known
   const bool in_doubt = is_in_doubt(peeled);
   ClosedBody body = in_doubt ? closer.clean_up_knowing(std::move(peeled), told)
                              : closer.clean_up(std::move(peeled));
-  if (!told.likely.empty()) closer.heed_likely(told, in_doubt, body);
+  if (!told.likely.empty()) {
+    // What is merely likely, as in a pocket that was seen, makes no hollow.
+    ReconstructOptions filling = effective;
+    filling.clean_up.keep_hollows = false;
+    BodyCloser(marked, filling, execution).heed_likely(told, in_doubt, body);
+  }
   return body;
 }
 

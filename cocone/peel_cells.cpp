@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/clean_up/kept_reach.h"
 #include "cocone/facets/facet_size.h"
 #include "cocone/inputs/stage_inputs.h"
+#include "cocone/marking/known_hollows.h"
 #include "cocone/marking/marking_rounds.h"
 #include "cocone/samples/shared_flags.h"
 #include "geom/arrays/visit_where.h"
@@ -100,24 +102,10 @@ class Peeling {
         [&](std::size_t c) { visit(CellId(c)); });
   }
 
-  // What is known to be OUT at samples that are nowhere on the surface. Elsewhere it is a pocket of
-  // slivers beside the surface.
   void reach_known_cavities() {
     if (marks_.known.empty()) return;
-    VertexSet is_outside(triangulation_.num_vertices(), 0);
-    for (const CellId c : triangulation_.finite_cells()) {
-      if (marks_.reached[c] == 0) continue;
-      for (const VertexId v : triangulation_.cell(c).vertices) is_outside[v] = 1;
-    }
-    for (const CellId c : triangulation_.infinite_cells()) {
-      for (int i = 0; i < 3; ++i) is_outside[triangulation_.vertex(c, i)] = 1;
-    }
-    for (const CellId c : triangulation_.finite_cells()) {
-      if (marks_.reached[c] != 0 || marks_.known[c] != CellLabel::out) continue;
-      const auto& vertices = triangulation_.cell(c).vertices;
-      const bool is_inner = std::any_of(vertices.begin(), vertices.end(),
-                                        [&](VertexId v) { return is_outside[v] == 0; });
-      if (is_inner) reach(c);
+    for (const CellId c : known_hollow_cells(triangulation_, marks_.known, marks_.reached)) {
+      reach(c);
     }
   }
 
@@ -346,7 +334,9 @@ CavityCounters open_cavities(const Triangulation& triangulation, const FacetSet&
   require_facets("open_cavities", triangulation, surface);
   require_marked("open_cavities", triangulation, marks);
   require_peeled("open_cavities", triangulation, marks);
-  const IdVector<CellId, std::uint8_t> before = marks.reached;
+  // Known hollows may be open already.
+  const IdVector<CellId, std::uint8_t> before =
+      marks.known.empty() ? marks.reached : reached_from_infinity(triangulation, marks.reached);
   Peeling(triangulation, surface, marks, execution).open_cavities();
   IdVector<CellId, std::uint8_t> hollow(before.size(), 0);
   for (const CellId c : hollow.ids()) hollow[c] = marks.reached[c] != 0 && before[c] == 0;

@@ -45,6 +45,7 @@ ReconstructOptions effective_options(ReconstructOptions options) {
     options.keep_cavities = false;
     options.clean_up.enabled = false;
   }
+  options.clean_up.keep_hollows = options.keep_cavities;
   if (!options.clean_up.enabled || options.boundary.radius_mode == RadiusMode::cocone) {
     options.second_look.enabled = false;
   }

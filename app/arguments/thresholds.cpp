@@ -35,7 +35,7 @@ constexpr std::array<Threshold, 6> of_marking{{
      [](Options& o) -> Field { return &o.surface.second_look.max_poor_per_sample; }},
 }};
 
-constexpr std::array<Threshold, 24> of_clean_up{{
+constexpr std::array<Threshold, 25> of_clean_up{{
     {"most-clump-cells", "Clean-up: more undecided cells together are left as they are", 0, 4e9,
      whole, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.most_clump_cells; }},
     {"most-clump-share", "Clean-up: and only if they are more than this share of all cells", 0, 1,
@@ -54,6 +54,11 @@ constexpr std::array<Threshold, 24> of_clean_up{{
      clean_up, [](Options& o) -> Field { return &o.surface.clean_up.defect_cost; }},
     {"unused-cost", "Clean-up: cost of a sample that is not on the surface", 0, 1000, number,
      clean_up, [](Options& o) -> Field { return &o.surface.clean_up.unused_cost; }},
+    {"near-surface",
+     "Clean-up: unused samples so many spacings off the surface are brought there by near cells "
+     "alone; 0: by any",
+     0, 1000, number, clean_up,
+     [](Options& o) -> Field { return &o.surface.clean_up.near_surface; }},
     {"outlier-ratio", "Clean-up: unused samples so many times as far from others are not missed", 1,
      1e6, number, clean_up, [](Options& o) -> Field { return &o.surface.clean_up.outlier_ratio; }},
     {"handle-cost", "Clean-up: cost of a handle of the surface", 0, 1000, number, clean_up,

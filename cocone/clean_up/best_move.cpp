@@ -23,12 +23,13 @@ bool is_attached(const Triangulation& triangulation, const IdVector<CellId, std:
 
 BestMove::BestMove(const Triangulation& triangulation, StarCache& stars,
                    const IdVector<CellId, std::uint8_t>& out, CellEnergy& energy,
-                   LabelSplit& label_split, std::size_t most_cells)
+                   LabelSplit& label_split, FarReach& far_reach, std::size_t most_cells)
     : triangulation_(triangulation),
       stars_(stars),
       out_(out),
       energy_(energy),
       label_split_(label_split),
+      far_reach_(far_reach),
       most_cells_(most_cells) {}
 
 std::vector<CellId> BestMove::find(VertexId v) {
@@ -84,11 +85,13 @@ void BestMove::keep_least(std::vector<Opening>& sets, std::size_t most) const {
 // The single cells and the pairs that could change the energy by at most the limit.
 void BestMove::list_candidates(VertexId v, Energy limit) {
   candidates_.clear();
+  const bool is_near = energy_.is_unused(v) && far_reach_.is_near_surface(v);
+  const auto is_barred = [&](CellId c) { return is_near && far_reach_.reaches_far(c, v); };
   const auto add = [&](Energy least, CellId c, CellId d, std::size_t size) {
     if (least <= limit) candidates_.push_back({least, {c, d}, size});
   };
   for (const CellId c : stars_.star(v)) {
-    if (triangulation_.is_infinite(c)) continue;
+    if (triangulation_.is_infinite(c) || is_barred(c)) continue;
     const int opposite = index_of_vertex(triangulation_.cell(c), v);
     const bool at_surface = energy_.is_at_surface(c);
     std::optional<CellEnergy::BoundsOfCell> bounds;
@@ -96,7 +99,7 @@ void BestMove::list_candidates(VertexId v, Energy limit) {
     for (int i = 0; i < 4; ++i) {
       const CellId d = triangulation_.neighbor(c, i);
       if (i != opposite && d < c) continue;  // asked from there
-      if (out_[c] != out_[d] || triangulation_.is_infinite(d)) continue;
+      if (out_[c] != out_[d] || triangulation_.is_infinite(d) || is_barred(d)) continue;
       if (!at_surface && !energy_.is_at_surface(d)) continue;
       if (!bounds.has_value()) bounds.emplace(energy_, c);
       add(bounds->with(i), c, d, 2);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "cocone/clean_up/far_reach.h"
 #include "cocone/clean_up/label_split.h"
 #include "cocone/energy/cell_energy.h"
 #include "delaunay/star_cache.h"
@@ -25,7 +26,7 @@ class BestMove {
   // All references must outlive the object. O(1).
   BestMove(const Triangulation& triangulation, StarCache& stars,
            const IdVector<CellId, std::uint8_t>& out, CellEnergy& energy, LabelSplit& label_split,
-           std::size_t most_cells);
+           FarReach& far_reach, std::size_t most_cells);
 
   // Has v more than most_cells cells? Then there are neither moves nor openings at it. O(1) if the
   // star is known.
@@ -34,7 +35,8 @@ class BestMove {
   // The finite cells that should change sides: of the single cells at v, the pairs of neighbors
   // with one of them at v, and the parts into which the surface divides the star, those whose flip
   // lowers the energy most; ties by cell_order.h. Such that are not attached, or whose flip would
-  // divide the rest of their side, are not considered. Empty if nothing lowers the energy.
+  // divide the rest of their side, are not considered; nor, if v is unused but near the surface,
+  // single cells and pairs that reach far. Empty if nothing lowers the energy.
   // Those that promise most (CellEnergy::least_change) are evaluated first, and what cannot be
   // better than the best so far is not evaluated. Complexity: O(star) bounds, and O(star) for each
   // evaluation. Source: ours, docs/stages/clean_up_cells.md.
@@ -69,6 +71,7 @@ class BestMove {
   const IdVector<CellId, std::uint8_t>& out_;
   CellEnergy& energy_;
   LabelSplit& label_split_;
+  FarReach& far_reach_;
   std::size_t most_cells_;
   std::vector<Candidate> candidates_;
   Energy best_change_ = 0;

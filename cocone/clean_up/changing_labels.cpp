@@ -28,7 +28,8 @@ ChangingLabels::ChangingLabels(const Triangulation& of_cells, const CellMarks& m
       region(find_doubtful_region(of_cells, marks, stars, spacings,
                                   most_clump_cells(of_cells, options), options.thin_support,
                                   execution)),
-      split(of_cells, out) {
+      split(of_cells, out),
+      far_reach(of_cells, stars, spacings, marks, options, out) {
   for (const CellId c : region.undecided) {
     for (const VertexId v : of_cells.cell(c).vertices) energy.want(v);
   }

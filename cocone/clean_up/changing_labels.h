@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cocone/cell_marks.h"
+#include "cocone/clean_up/far_reach.h"
 #include "cocone/clean_up/label_split.h"
 #include "cocone/clean_up/surface_flaws.h"
 #include "cocone/clean_up_cells.h"
@@ -55,6 +56,7 @@ class ChangingLabels {
   CellEnergy energy;
   DoubtfulRegion region;
   LabelSplit split;
+  FarReach far_reach;
 
  private:
   void update_flaws();

@@ -1,6 +1,7 @@
 #include "cocone/clean_up/kept_reach.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "geom/arrays/disjoint_sets.h"
@@ -108,22 +109,25 @@ bool is_reach_kept(const Triangulation& triangulation, const IdVector<CellId, st
 IdVector<CellId, std::uint8_t> reached_from_infinity(const Triangulation& triangulation,
                                                      const IdVector<CellId, std::uint8_t>& out) {
   IdVector<CellId, std::uint8_t> reached(triangulation.num_cells(), 0);
-  std::vector<CellId> stack;
-  for (const CellId c : triangulation.infinite_cells()) {
-    reached[c] = 1;
-    stack.push_back(c);
-  }
-  while (!stack.empty()) {
-    const CellId c = stack.back();
-    stack.pop_back();
+  std::vector<CellId> infinite;
+  for (const CellId c : triangulation.infinite_cells()) infinite.push_back(c);
+  extend_reach(triangulation, out, std::move(infinite), reached);
+  return reached;
+}
+
+void extend_reach(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
+                  std::vector<CellId> cells, IdVector<CellId, std::uint8_t>& reached) {
+  for (const CellId c : cells) reached[c] = 1;
+  while (!cells.empty()) {
+    const CellId c = cells.back();
+    cells.pop_back();
     for (int i = 0; i < 4; ++i) {
       const CellId behind = triangulation.neighbor(c, i);
       if (reached[behind] != 0 || out[behind] == 0) continue;
       reached[behind] = 1;
-      stack.push_back(behind);
+      cells.push_back(behind);
     }
   }
-  return reached;
 }
 
 }  // namespace cocoon

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "delaunay/triangulation.h"
 #include "geom/id_vector.h"
@@ -23,5 +24,9 @@ bool is_reach_kept(const Triangulation& triangulation, const IdVector<CellId, st
 // Complexity: O(cells).
 IdVector<CellId, std::uint8_t> reached_from_infinity(const Triangulation& triangulation,
                                                      const IdVector<CellId, std::uint8_t>& out);
+
+// Adds the cells that one of `cells` reaches, these included. Complexity: O(cells added).
+void extend_reach(const Triangulation& triangulation, const IdVector<CellId, std::uint8_t>& out,
+                  std::vector<CellId> cells, IdVector<CellId, std::uint8_t>& reached);
 
 }  // namespace cocoon

@@ -21,7 +21,7 @@ VertexRepairs::VertexRepairs(ChangingLabels& labels, const CleanUpOptions& optio
       execution_(execution),
       makes_compound_moves_(options.max_rise != 0),
       best_move_(labels.triangulation, labels.stars, labels.out, labels.energy, labels.split,
-                 options.most_move_cells),
+                 labels.far_reach, options.most_move_cells),
       compound_move_(labels.triangulation, labels.spacings, labels.region, labels.energy,
                      best_move_, options) {}
 

@@ -125,6 +125,7 @@ void require_options(const char* stage, const CleanUpOptions& options) {
                           {"clean_up.flat_ratio", o.flat_ratio},
                           {"clean_up.defect_cost", o.defect_cost},
                           {"clean_up.unused_cost", o.unused_cost},
+                          {"clean_up.near_surface", o.near_surface},
                           {"clean_up.outlier_ratio", o.outlier_ratio},
                           {"clean_up.handle_cost", o.handle_cost},
                           {"clean_up.idle_cost", o.idle_cost},

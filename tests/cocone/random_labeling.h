@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "cocone/clean_up/far_reach.h"
 #include "cocone/energy/cell_energy.h"
 #include "cocone/energy/doubtful_region.h"
 #include "geom/random/random.h"
@@ -36,7 +37,8 @@ struct Labeling {
         stars(stages.triangulation),
         out(stages.triangulation.num_cells(), 1),
         spacings(stages.triangulation, stars),
-        energy(stages.triangulation, cosines, stars, spacings, marks, options, out) {
+        energy(stages.triangulation, cosines, stars, spacings, marks, options, out),
+        far_reach(stages.triangulation, stars, spacings, marks, options, out) {
     marks.labels = IdVector<CellId, CellLabel>(stages.triangulation.num_cells(), CellLabel::out);
     Random random(seed);
     for (const CellId c : stages.triangulation.finite_cells()) {
@@ -136,6 +138,7 @@ struct Labeling {
   IdVector<CellId, std::uint8_t> out;
   SpacingCache spacings;
   CellEnergy energy;
+  FarReach far_reach;
 };
 
 // All of its triangulation.

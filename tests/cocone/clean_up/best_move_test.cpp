@@ -28,6 +28,14 @@ std::vector<std::vector<CellId>> all_moves(Labeling& labeling, VertexId v) {
   return moves;
 }
 
+// Would it bring a sample that is near the surface there from afar?
+bool reaches_far(Labeling& labeling, const std::vector<CellId>& cells, VertexId v) {
+  if (cells.size() > 2 || !labeling.energy.is_unused(v)) return false;
+  if (!labeling.far_reach.is_near_surface(v)) return false;
+  return std::any_of(cells.begin(), cells.end(),
+                     [&](CellId c) { return labeling.far_reach.reaches_far(c, v); });
+}
+
 // The best of them, by evaluating all.
 std::vector<CellId> plain_best(Labeling& labeling, LabelSplit& split, VertexId v) {
   const Triangulation& t = labeling.stages.triangulation;
@@ -36,6 +44,7 @@ std::vector<CellId> plain_best(Labeling& labeling, LabelSplit& split, VertexId v
   for (std::vector<CellId>& cells : all_moves(labeling, v)) {
     const Energy change = labeling.energy.change(cells);
     if (change >= 0 || change > best_change || !is_attached(t, labeling.out, cells)) continue;
+    if (reaches_far(labeling, cells, v)) continue;
     if (change == best_change && !precedes(t, cells, best)) continue;
     if (split.splits(cells)) continue;
     best_change = change;
@@ -53,7 +62,7 @@ void for_each_vertex(std::array<double, 3> biases, std::uint64_t seed, const Vis
       const Triangulation& t = labeling.stages.triangulation;
       LabelSplit split(t, labeling.out);
       BestMove best_move(t, labeling.stars, labeling.out, labeling.energy, split,
-                         labeling.options.most_move_cells);
+                         labeling.far_reach, labeling.options.most_move_cells);
       for (const VertexId v : t.vertices()) visit(labeling, split, best_move, v);
     }
   }
@@ -78,8 +87,9 @@ TEST(BestMove, ThereIsNoneAtStarsThatAreTooLarge) {
   const Triangulation& t = labeling.stages.triangulation;
   LabelSplit split(t, labeling.out);
   const std::size_t most = 25;
-  BestMove all(t, labeling.stars, labeling.out, labeling.energy, split, t.num_cells());
-  BestMove some(t, labeling.stars, labeling.out, labeling.energy, split, most);
+  BestMove all(t, labeling.stars, labeling.out, labeling.energy, split, labeling.far_reach,
+               t.num_cells());
+  BestMove some(t, labeling.stars, labeling.out, labeling.energy, split, labeling.far_reach, most);
   std::size_t too_large = 0;
   for (const VertexId v : t.vertices()) {
     EXPECT_EQ(some.is_too_large(v), labeling.stars.star(v).size() > most);

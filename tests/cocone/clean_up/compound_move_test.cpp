@@ -12,7 +12,7 @@ struct Mover {
   explicit Mover(Labeling& labeling)
       : split(labeling.stages.triangulation, labeling.out),
         single(labeling.stages.triangulation, labeling.stars, labeling.out, labeling.energy, split,
-               labeling.options.most_move_cells),
+               labeling.far_reach, labeling.options.most_move_cells),
         compound(labeling.stages.triangulation, labeling.spacings, region, labeling.energy, single,
                  labeling.options) {}
   DoubtfulRegion region;

@@ -120,5 +120,23 @@ TEST(LabelsOfSolid, LetCavitiesBeKept) {
   EXPECT_LT(surface_distance(hollow.mesh, solid, {.samples = 20000}).rms, 0.01);
 }
 
+// A round hollow in a box, with walls of a third of the spacing where it is nearest to the faces:
+// what touches there is repaired with the hollow open.
+TEST(LabelsOfSolid, LetThinWallsOfHollowsBeWhole) {
+  const TriangleMesh ball =
+      gallery::translated(gallery::scaled(gallery::sphere(2), 1.9), {2, 2, 2});
+  const TriangleMesh solid = gallery::join(gallery::cube(4), gallery::flipped(ball));
+  const std::vector<Point> points = samples_of(solid, 0.3);
+  const KnownLabelsSource sides = labels_told_by(solid, points, labels_of_crossing_cells);
+  const ReconstructResult hollow =
+      reconstruct_tight_with_labels(points, sides, {.keep_cavities = true});
+  const MeshReport report = mesh_check(hollow.mesh);
+  EXPECT_TRUE(report.is_closed_manifold());
+  EXPECT_EQ(report.components, 2U);
+  EXPECT_EQ(report.euler, 4);
+  EXPECT_EQ(hollow.counters.cavities.cavities, 1U);
+  EXPECT_LT(surface_distance(hollow.mesh, solid, {.samples = 20000}).rms, 0.03);
+}
+
 }  // namespace
 }  // namespace cocoon
