@@ -20,7 +20,7 @@ struct CellMarks {
   // Labels told beforehand (known_labels.h); empty if there are none, or if they were not asked
   // for.
   IdVector<CellId, CellLabel> known;
-  // After peel_cells: 1 = reached from infinity. The body is the set of finite cells not reached.
+  // After peel_cells: 1 = reached from infinity or in a kept hollow. The body: finite cells with 0.
   IdVector<CellId, std::uint8_t> reached;
   // After peel_cells, empty if there are no conflicts up to then: 1 = a good vertex whose cells are
   // not OUT on one side of the surface and IN (or unmarked) on the other.

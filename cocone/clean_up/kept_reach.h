@@ -1,4 +1,4 @@
-// Whether cells that infinity could reach still can, told from where something has changed.
+// Which cells infinity reaches, and whether it still does, told from where something has changed.
 #pragma once
 
 #include <cstdint>

@@ -47,6 +47,12 @@ void add_labels_of_solid(const Triangulation& triangulation, const SolidDistance
   }
 }
 
+KnownLabelsSource labels_told_by(TriangleMesh solid, Points samples,
+                                 const LabelsOfSolidOptions& options) {
+  SolidDistances kept(std::make_shared<const TriangleMesh>(std::move(solid)));
+  return labels_told_by(std::move(kept), samples, options);
+}
+
 KnownLabelsSource labels_told_by(SolidDistances solid, Points samples,
                                  const LabelsOfSolidOptions& options) {
   if (const double scale = working_scale(samples); scale != 1) {

@@ -44,8 +44,11 @@ void add_labels_of_solid(const Triangulation& triangulation, const SolidDistance
                          const LabelsOfSolidOptions& options = {}, const Execution& execution = {});
 
 // Asks labels_of_solid for `solid`, in the coordinates of its samples, in their triangulation: that
-// of working_scale(samples) times them (reconstruct.h). Keeps `solid`: of a mesh the reference,
-// which must outlive the result (solid_distances.h). Complexity: O(n + t).
+// of working_scale(samples) times them (reconstruct.h). Keeps the mesh. Complexity: O(n + t).
+KnownLabelsSource labels_told_by(TriangleMesh solid, Points samples,
+                                 const LabelsOfSolidOptions& options = {});
+
+// Overload for who asks the same solid elsewhere: keeps `solid`, and remembers with it.
 KnownLabelsSource labels_told_by(SolidDistances solid, Points samples,
                                  const LabelsOfSolidOptions& options = {});
 

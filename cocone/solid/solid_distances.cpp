@@ -16,14 +16,21 @@ SolidDistances::SolidDistances(std::shared_ptr<const TriangleMesh> solid)
 
 std::vector<double> SolidDistances::at(Points places, const Execution& execution) const {
   if (!memory_) return signed_distances(*solid_, places, execution);
+  std::vector<double> distances(places.size());
   std::vector<Point> unknown;  // in the order given: neighbors are near each other
-  for (const Point& p : places) {
-    if (!find(*memory_, p)) unknown.push_back(p);
+  std::vector<std::size_t> position;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (const std::optional<double> known = find(*memory_, places[k])) {
+      distances[k] = *known;
+    } else {
+      unknown.push_back(places[k]);
+      position.push_back(k);
+    }
   }
-  remember(unknown, signed_distances(*solid_, unknown, execution));
-  std::vector<double> distances;
-  distances.reserve(places.size());
-  for (const Point& p : places) distances.push_back(*find(*memory_, p));
+  if (unknown.empty()) return distances;
+  const std::vector<double> asked = signed_distances(*solid_, unknown, execution);
+  for (std::size_t i = 0; i < asked.size(); ++i) distances[position[i]] = asked[i];
+  remember(unknown, asked);
   return distances;
 }
 
