@@ -131,7 +131,11 @@ std::vector<Finding> findings_of_surface(const SurfaceDoubts& doubts, std::size_
 // `faces`: those of the file, if their vertices alone are the samples.
 DensifiedMesh read_input(Job& job, const ReconstructArguments& arguments,
                          VertexProperties* properties, std::size_t& faces) {
-  if (arguments.densify) return read_densified(job, arguments.points, *arguments.densify);
+  if (arguments.densify) {
+    DensifiedMesh dense = read_densified(job, arguments.points, *arguments.densify, properties);
+    if (properties != nullptr) *properties = properties_of_samples(*properties, dense.points);
+    return dense;
+  }
   DensifiedMesh input;
   input.points = read_cloud(job, arguments.points, "input", properties, &faces);
   require_replaceable(arguments.mesh, arguments.points, faces);

@@ -1,6 +1,5 @@
 #include "app/update_input.h"
 
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -9,7 +8,6 @@
 #include "app/files/model_file.h"
 #include "app/initial_model.h"
 #include "geom/search/equal_points.h"
-#include "geom/search/nearest_point.h"
 
 namespace cocoon::app {
 
@@ -39,28 +37,18 @@ IdVector<PointId, VertexId> vertices_of(Points points, const ReconstructResult& 
   return vertex_of_point;
 }
 
-// Of each vertex of the surface the row of its properties: of a sample of a mesh that was made
-// dense that of the nearest vertex of the mesh.
-std::vector<RowOrigin> rows_of(const ModelInput& model, const ReconstructResult& surface) {
-  const Points points = model.mesh.points.span();
-  const std::size_t rows = model.dense ? model.dense->vertices : points.size();
-  std::optional<NearestPointTree> vertices;
-  if (rows < points.size()) vertices.emplace(points.first(rows));
-  std::vector<RowOrigin> origins;
-  for (const PointId point : surface.point_of_vertex) {
-    const bool has_row = point.index() < rows;
-    origins.push_back(
-        {0, has_row ? point.index() : vertices->nearest(points[point.index()]).point.index()});
-  }
-  return origins;
-}
-
 // A model given as points, with their properties.
 void reconstruct(Job& job, const ReconstructOptions& options, ModelInput& model,
                  UpdateInput& input) {
   ReconstructResult initial = initial_model(job, model, options);
   if (!input.properties.empty()) {
-    input.properties[0] = select_rows(input.properties[0], rows_of(model, initial));
+    VertexProperties& properties = input.properties[0];
+    if (model.dense) {
+      properties = properties_of_samples(properties, model.mesh.points.span());
+    }
+    std::vector<RowOrigin> origins;
+    for (const PointId point : initial.point_of_vertex) origins.push_back({0, point.index()});
+    properties = select_rows(properties, origins);
   }
   const IdVector<PointId, VertexId> vertex_of_point =
       vertices_of(model.mesh.points.span(), initial);

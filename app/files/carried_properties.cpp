@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "geom/search/nearest_point.h"
 #include "io/file_format.h"
 
 namespace cocoon::app {
@@ -50,6 +51,16 @@ VertexProperties carried_properties(Job& job, std::span<const VertexProperties> 
   }
   report_columns(job, gathered);
   return std::move(gathered.properties);
+}
+
+VertexProperties properties_of_samples(const VertexProperties& table, Points samples) {
+  if (table.columns.empty()) return {samples.size(), {}, table.left_out};
+  const NearestPointTree vertices(samples.first(table.rows));
+  std::vector<RowOrigin> origins;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    origins.push_back({0, i < table.rows ? i : vertices.nearest(samples[i]).point.index()});
+  }
+  return select_rows(table, origins);
 }
 
 VertexProperties properties_of_surface(Job& job, const VertexProperties& table,

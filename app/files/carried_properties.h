@@ -1,12 +1,14 @@
 // Colors, normals and other properties of PLY inputs, carried to the PLY output.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/job.h"
 #include "cocone/reconstruct.h"
+#include "geom/point.h"
 #include "io/vertex_properties.h"
 
 namespace cocoon::app {
@@ -21,7 +23,11 @@ VertexProperties carried_properties(Job& job, std::span<const VertexProperties> 
                                     const std::vector<std::string>& names,
                                     std::span<const RowOrigin> origins);
 
-// The same for a surface of the points of one file.
+// The properties of samples of a mesh: the first are its vertices, of which `table` is, the others
+// have those of the nearest vertex. Complexity: O(n log n), if there are any properties.
+VertexProperties properties_of_samples(const VertexProperties& table, Points samples);
+
+// carried_properties for a surface of the points of one file.
 VertexProperties properties_of_surface(Job& job, const VertexProperties& table,
                                        const std::string& name, const ReconstructResult& surface);
 

@@ -66,9 +66,14 @@ DensifiedMesh densified(Job& job, const std::string& name, ModelFile model, doub
   job.report().set("input/added_samples", added.size());
   job.say("{}: {} added to {}", name, counted(added.size(), "sample"),
           counted(mesh.points.size(), "vertex", "vertices"));
+  if (added.empty()) {
+    job.warn(fmt::format(
+        "{}: --densify {} adds no samples, as its triangles are no larger; give a smaller SPACING, "
+        "or leave it out",
+        name, spacing));
+  }
   DensifiedMesh dense;
   dense.points = mesh.points.raw();
-  dense.vertices = dense.points.size();
   if (model.vertex_of.empty()) {
     for (const VertexId v : mesh.points.ids()) dense.point_of_vertex.push_back(PointId(v.value));
   } else {

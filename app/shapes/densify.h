@@ -18,7 +18,6 @@ namespace cocoon::app {
 
 struct DensifiedMesh {
   std::vector<Point> points;  // vertices of the mesh, then samples between them
-  std::size_t vertices = 0;   // of the mesh
   // Of each vertex of the file, which of them it is; none if no triangle uses it.
   IdVector<VertexId, PointId> point_of_vertex;
   KnownLabelsSource labels;  // where the mesh has inside and outside; empty if it is not closed
@@ -30,7 +29,8 @@ struct DensifiedMesh {
 // used, as stage "dense_samples". Of a closed mesh more are added, as stage "conforming", if the
 // surface of those has another Euler number, other parts or other contacts than the mesh: to find
 // out they are reconstructed. How many goes to the report and the summary. Warns of a mesh that is
-// not closed. Throws InputError if the spacing is too small for it.
+// not closed, and where the spacing adds no samples. Throws InputError if the spacing is too small
+// for it.
 DensifiedMesh densified(Job& job, const std::string& name, ModelFile model, double spacing);
 
 // The same for a file, as stage "read": reads it (read_model), leaves out vertices that no triangle

@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "geom/surface_distance.h"
 #include "io/mesh_file.h"
+#include "tests/end_to_end/scanned_gear.h"
 #include "tests/run_program.h"
 #include "tests/test_clouds.h"
 
@@ -18,54 +18,6 @@ namespace cocoon::test {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr double height = 1.5;  // of the part
-
-// A disk with ten teeth.
-std::string gear(double thickness = height) {
-  constexpr int count = 20;
-  std::string vertices;
-  std::string triangles;
-  const auto triangle = [&](int a, int b, int c) {
-    triangles +=
-        "3 " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
-  };
-  for (const double z : {0.0, thickness}) {
-    for (int k = 0; k < count; ++k) {
-      const double radius = k % 2 == 0 ? 2 : 3;
-      const double angle = 2 * std::numbers::pi * k / count;
-      vertices += point_line(radius * std::cos(angle), radius * std::sin(angle), z);
-    }
-  }
-  vertices += point_line(0, 0, 0) + point_line(0, 0, thickness);
-  for (int k = 0; k < count; ++k) {
-    const int next = (k + 1) % count;
-    triangle(2 * count, next, k);
-    triangle(2 * count + 1, count + k, count + next);
-    triangle(k, next, count + next);
-    triangle(k, count + next, count + k);
-  }
-  return "OFF\n42 80 0\n" + vertices + triangles;
-}
-
-// A knob in the middle of its upper side.
-std::string knob() {
-  std::string cloud;
-  for (int i = 0; i < 330; ++i) {
-    const double radius = std::sqrt((i + 0.5) / 330);
-    const double bump = std::max(0.0, 1 - 2.5 * radius * radius);
-    cloud += point_line(radius * std::cos(2.4 * i), radius * std::sin(2.4 * i),
-                        height + 0.3 * bump * bump);
-  }
-  return cloud;
-}
-
-// Both as files.
-struct ScannedGear {
-  TemporaryFolder folder;
-  std::string part = folder.write("part.off", gear());
-  std::string cloud = folder.write("knob.xyz", knob());
-};
 
 Json report_of(const std::vector<std::string>& arguments, std::string& error) {
   std::vector<std::string> all = arguments;
@@ -208,11 +160,14 @@ TEST(Densify, KeepsColorsOfModels) {
   const std::string cloud = folder.write("knob.xyz", knob());
   const std::string updated = folder.file("updated.ply");
   std::string error;
-  for (const bool asked : {false, true}) {
-    std::vector<std::string> arguments = {"update", part, cloud, "-o", updated, "--ascii"};
-    if (asked) arguments.insert(arguments.end(), {"--densify", "0.12"});
+  for (const std::vector<std::string>& inputs : {std::vector<std::string>{"update", part, cloud},
+                                                 {"update", part, cloud, "--densify", "0.12"},
+                                                 {"reconstruct", part, "--densify", "0.12"}}) {
+    std::vector<std::string> arguments = inputs;
+    arguments.insert(arguments.end(), {"-o", updated, "--ascii"});
     const Json report = report_of(arguments, error);
-    EXPECT_EQ(report["update"].contains("coarse_model"), !asked);
+    const bool is_asked = inputs.size() > 3;
+    EXPECT_EQ(report.contains("update") && report["update"].contains("coarse_model"), !is_asked);
     std::ifstream file(updated);
     std::string line;
     while (std::getline(file, line) && line != "end_header") {
@@ -248,18 +203,6 @@ TEST(Densify, WithoutBeingAskedIsTheSameWhenGroupsAreNamed) {
                      error);
   EXPECT_EQ(report["update"]["coarse_model"]["made_dense"], true);
   EXPECT_EQ(content_of(named), content_of(free));
-}
-
-TEST(Densify, IsNamedByWatchWithItsFirstCloud) {
-  const TemporaryFolder folder;
-  const TemporaryFolder drop;
-  drop.write("knob.xyz", knob());
-  const ProgramRun run =
-      run_program({"watch", folder.write("part.off", gear()), drop.file(""), "-o",
-                   folder.file("watched.ply"), "--once", "--settle", "0", "--poll", "0.01"});
-  EXPECT_EQ(run.exit_code, 0);
-  EXPECT_NE(run.out.find("% of the surface of"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("--densify SPACING"), std::string::npos) << run.out;
 }
 
 // In one go, as a session and by watching a folder: the same mesh.
@@ -341,6 +284,9 @@ TEST(Densify, NeedsNoNoiseFilterAndNoSessionThatHasAModel) {
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.error.find("--densify"), std::string::npos) << run.error;
   run = run_program({"update", "m.off", "c.xyz", "-o", "m.ply", "--densify", "1", "--keep-coarse"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.error.find("--keep-coarse"), std::string::npos) << run.error;
+  run = run_program({"watch", "m.off", "d", "-o", "m.ply", "--densify", "1", "--keep-coarse"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.error.find("--keep-coarse"), std::string::npos) << run.error;
   run = run_program({"update", "--session", "x.session", "c.xyz", "-o", "m.ply", "--keep-coarse"});
@@ -429,6 +375,15 @@ TEST(Densify, ANarrowHoleIsKeptAndALostOneTold) {
     report = report_of({"update", part, scan, "-o", out, "--densify", "0.3"}, error);
     EXPECT_EQ(report["warnings"].dump().find(told) != std::string::npos, is_lost) << error;
   }
+}
+
+TEST(Densify, SaysWhereASpacingAddsNoSamples) {
+  const ScannedGear scanned;
+  std::string error;
+  const Json report = report_of(
+      {"reconstruct", scanned.part, "-o", scanned.folder.file("m.ply"), "--densify", "9"}, error);
+  EXPECT_EQ(report["input"]["added_samples"], 0);
+  EXPECT_NE(report["warnings"].dump().find("--densify 9 adds no samples"), std::string::npos);
 }
 
 TEST(Densify, NeedsAMeshAndAPossibleSpacing) {
