@@ -183,7 +183,12 @@ void make_dense(Job& job, UpdateInput& input, UpdateOutcome& outcome, const Upda
   if (!(spacing > 0)) return;
   DenseUpdate dense;
   job.begin_trial();
-  outcome.lost.tried = try_dense(job, input, outcome, options, spacing, coarse, dense);
+  try {
+    outcome.lost.tried = try_dense(job, input, outcome, options, spacing, coarse, dense);
+  } catch (const Cancelled&) {
+    job.end_trial(false);
+    throw;
+  }
   const bool is_taken = outcome.lost.tried.empty();
   job.end_trial(is_taken);
   JsonReport& report = job.report();
@@ -199,19 +204,34 @@ void make_dense(Job& job, UpdateInput& input, UpdateOutcome& outcome, const Upda
 
 UpdateOutcome updated_dense_enough(Job& job, UpdateInput& input, const UpdateOptions& options,
                                    const CoarseModelOptions& coarse) {
-  const bool says_regions = !options.overrides.is_empty();
-  if (!input.is_mesh_of_file ||
-      (says_regions && !has_large_triangles(input, coarse.min_large_share, coarse))) {
-    return updated(job, input, options);
+  if (!options.overrides.is_empty()) {
+    const std::string tried = make_dense_enough(job, input, options, coarse);
+    UpdateOutcome said = updated(job, input, options);
+    said.lost.tried = tried;
+    return said;
+  }
+  UpdateOutcome outcome = updated(job, input, options);
+  if (input.is_mesh_of_file && is_coarse(input, outcome, coarse)) {
+    make_dense(job, input, outcome, options, coarse);
+  }
+  return outcome;
+}
+
+std::string make_dense_enough(Job& job, UpdateInput& input, const UpdateOptions& options,
+                              const CoarseModelOptions& coarse) {
+  if (!input.is_mesh_of_file || !has_large_triangles(input, coarse.min_large_share, coarse)) {
+    return {};
   }
   UpdateOptions unsaid = options;
   unsaid.overrides = {};
-  UpdateOutcome outcome = updated(job, input, unsaid);
+  UpdateOutcome outcome;
+  try {
+    outcome = updated(job, input, unsaid);
+  } catch (const InputError&) {
+    return {};  // the update to come has the same to say
+  }
   if (is_coarse(input, outcome, coarse)) make_dense(job, input, outcome, unsaid, coarse);
-  if (!says_regions) return outcome;
-  UpdateOutcome said = updated(job, input, options);
-  said.lost.tried = outcome.lost.tried;
-  return said;
+  return outcome.lost.tried;
 }
 
 }  // namespace cocoon::app

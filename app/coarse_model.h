@@ -2,6 +2,8 @@
 // the new mesh from points alone, and from few vertices it makes another shape.
 #pragma once
 
+#include <string>
+
 #include "app/job.h"
 #include "app/update_input.h"
 #include "app/updating.h"
@@ -10,9 +12,9 @@
 namespace cocoon::app {
 
 struct CoarseModelOptions {
-  // With regions that are said to go or stay, the model is looked at only if triangles that are too
-  // large for the scans (AstrayOptions::coarse_ratio) are at least this share of its area; where it
-  // is refused, if this one. Others lose less than is told.
+  // By make_dense_enough the model is looked at only if triangles that are too large for the scans
+  // (AstrayOptions::coarse_ratio) are at least this share of its area; where an update is refused,
+  // if this one. Others lose less than is told.
   double min_large_share = 0.01;
   double min_large_share_if_refused = 0.5;
   // The spacing of a scan is this part of the distance of its samples from the neighbor of this
@@ -25,6 +27,12 @@ struct CoarseModelOptions {
   double max_given_up = 0.5;
 };
 
+// Whether an update takes its model as it is: if it was told to, and in paper mode, as published.
+template <class Arguments>
+bool keeps_coarse(const Arguments& arguments) {
+  return arguments.keep_coarse || arguments.parameters.mode == Mode::paper;
+}
+
 // Updates the model, and if it is the mesh of a file that loses surface, or cannot be updated,
 // since its triangles are too large for the scans, makes it dense (with_dense_model) and updates it
 // again. If that keeps more of the surface where nothing was scanned, it becomes the `input`, and a
@@ -33,5 +41,12 @@ struct CoarseModelOptions {
 // chosen without. Stages come again. Throws InputError as `updated`.
 UpdateOutcome updated_dense_enough(Job& job, UpdateInput& input, const UpdateOptions& options,
                                    const CoarseModelOptions& coarse = {});
+
+// For an update that is yet to come, of a session or with regions that are said to go or stay:
+// makes the model dense if updated_dense_enough would, in as many words; not if few of its
+// triangles are large (min_large_share), which is told without an update. Returns what became of a
+// trial that was not taken (LostSurface::tried). Throws Cancelled.
+std::string make_dense_enough(Job& job, UpdateInput& input, const UpdateOptions& options,
+                              const CoarseModelOptions& coarse = {});
 
 }  // namespace cocoon::app

@@ -114,8 +114,7 @@ void add_reconstruct_command(CLI::App& app, Command& chosen, SharedArguments& sh
   auto& reconstruct =
       add_command<ReconstructArguments>(app, "Point cloud to mesh", chosen, shared, sub);
   sub->add_option("POINTS", reconstruct.points, "Point cloud")->required();
-  add_mesh_output(*sub, reconstruct.mesh, reconstruct.writing,
-                  keeps_properties + " (but for --densify)");
+  add_mesh_output(*sub, reconstruct.mesh, reconstruct.writing, keeps_properties);
   add_densify(*sub, "POINTS", reconstruct.densify);
   add_thin(*sub, reconstruct.thin, "");
   add_choice<SurfaceKind>(*sub, "--surface", reconstruct.surface,
@@ -187,9 +186,7 @@ void add_update_command(CLI::App& app, Command& chosen, SharedArguments& shared)
       ->type_name("FILE");
   add_mesh_output(*sub, update.mesh, update.writing, keeps_properties + " (but for --session)");
   add_densify(*sub, "MODEL", update.densify);
-  sub->add_flag("--keep-coarse", update.keep_coarse,
-                "Take the vertices of a mesh with large triangles alone, even if its surface is "
-                "lost so; otherwise samples are added as by --densify where that keeps it");
+  add_keep_coarse(*sub, update.keep_coarse);
   sub->add_option("--map", update.map,
                   "Write one line per vertex or point of MODEL: its new index, or -1; not for STL, "
                   "which keeps no numbers of vertices; - = standard output")
@@ -219,6 +216,7 @@ void add_watch_command(CLI::App& app, Command& chosen, SharedArguments& shared) 
       ->required();
   add_mesh_output(*sub, watch.mesh, watch.writing);
   add_densify(*sub, "MODEL", watch.densify);
+  add_keep_coarse(*sub, watch.keep_coarse);
   sub->add_option("--session", watch.session,
                   "Where the state is kept, to resume from after any end (MESH.session)")
       ->type_name("FILE");

@@ -141,6 +141,7 @@ struct WatchArguments {
   std::size_t save_every = 32;  // clouds, until the whole session is written again
   MeshWriteOptions writing;
   std::optional<double> densify;  // spacing of samples added to the model, a mesh
+  bool keep_coarse = false;       // never adds any without being told to
   SurfaceArguments parameters;
   CloudFilterArguments filter;
 };

@@ -162,6 +162,13 @@ void add_densify(CLI::App& app, const std::string& mesh, std::optional<double>& 
       ->check(between(1e-300, 1e300));
 }
 
+void add_keep_coarse(CLI::App& app, bool& keeps) {
+  app.add_flag(
+      "--keep-coarse", keeps,
+      "Take the vertices of a mesh with large triangles alone, even if its surface is lost "
+      "so; otherwise samples are added as by --densify where that keeps it");
+}
+
 void add_trim(CLI::App& app, std::optional<double>& max_edge, const std::string& what_for) {
   app.add_option("--trim", max_edge, what_for)->type_name("TIMES")->check(between(1, 1e300));
 }

@@ -49,6 +49,7 @@ void add_thin(CLI::App& app, std::optional<double>& distance, const std::string&
 
 // `mesh`: the name of the argument that is densified.
 void add_densify(CLI::App& app, const std::string& mesh, std::optional<double>& spacing);
+void add_keep_coarse(CLI::App& app, bool& keeps);
 
 void add_trim(CLI::App& app, std::optional<double>& max_edge, const std::string& what_for);
 

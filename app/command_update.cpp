@@ -39,10 +39,6 @@ void filter_input(Job& job, const CloudFilter& filter, UpdateInput& input) {
   input.strays = filter_clouds(job, filter, input.cloud_names, input.clouds, properties);
 }
 
-bool keeps_coarse(const UpdateArguments& arguments) {
-  return arguments.keep_coarse || arguments.parameters.mode == Mode::paper;
-}
-
 UpdateOutput output_of(const UpdateArguments& arguments) {
   return {arguments.mesh, arguments.map, arguments.html, arguments.writing, arguments.manifold};
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/arguments/update_options.h"
+#include "app/coarse_model.h"
 #include "app/commands.h"
 #include "app/console/interrupt.h"
 #include "app/console/standard_streams.h"
@@ -108,6 +109,7 @@ class Watch {
     job_.report().set("watch/known", known_.size());
     report_cloud_filter(job_.report(), filter_, thinned_);
     add_update_parameters(job_.report(), options_);
+    job_.report().set("parameters/keep_coarse", keeps_coarse(arguments_));
     add_model(job_.report(), session_.session().reconstruction(), session_.model(),
               mesh_check(session_.model(), {}, job_.execution()));
     add_findings(job_.report(), findings_);
@@ -252,9 +254,13 @@ class Watch {
   void apply(DroppedClouds drop) {
     SessionUpdate update;
     const bool is_first = count_notes(session_.notes()).applied == 0;
-    const TriangleMesh before = is_first ? session_.model() : TriangleMesh();
-    const std::size_t local_before = session_.session().local_changes();
+    TriangleMesh before;
+    std::size_t local_before = 0;
+    std::string tried;
     try {
+      tried = make_dense_enough(drop);
+      if (is_first) before = session_.model();
+      local_before = session_.session().local_changes();
       update = session_.session().apply(drop.clouds, job_.execution());
     } catch (const Cancelled&) {
       return;  // the interrupt; the session is as it was
@@ -262,7 +268,7 @@ class Watch {
       return refuse(drop, error.what());
     }
     if (update.result.status != UpdateStatus::ok) return refuse(drop, update.result.message);
-    if (is_first) add_lost_surface_warning(before, drop, update);
+    if (is_first) add_lost_surface_warning(before, drop, tried, update);
     // Where the surface is certain, and of all samples, there is nothing to find.
     const ReconstructResult& surface = update.result.reconstruction;
     if (session_.session().local_changes() == local_before || surface.unused_points > 0 ||
@@ -281,10 +287,26 @@ class Watch {
     say(told_applied(drop, update, filter_, options_));
   }
 
+  // The first clouds tell how dense a mesh has to be. Returns what became of a trial that was not
+  // taken.
+  std::string make_dense_enough(const DroppedClouds& drop) {
+    if (!session_.is_mesh_of_file() || keeps_coarse(arguments_)) return {};
+    UpdateInput input;
+    input.model_name = arguments_.model;
+    input.model = session_.model();
+    input.is_mesh_of_file = true;
+    input.cloud_names = drop.names;
+    input.clouds = drop.clouds;
+    std::string tried = app::make_dense_enough(job_, input, options_);
+    if (!input.is_mesh_of_file) session_.begin_anew(std::move(input.model));
+    return tried;
+  }
+
   // A mesh that is no dense sampling of its surface loses some with its first update.
   void add_lost_surface_warning(const TriangleMesh& model, const DroppedClouds& drop,
-                                SessionUpdate& update) const {
-    const LostSurface lost = lost_surface(model, drop.clouds, update, session_.model());
+                                const std::string& tried, SessionUpdate& update) const {
+    LostSurface lost = lost_surface(model, drop.clouds, update, session_.model());
+    lost.tried = tried;
     if (!lost.warns) return;
     update.result.warnings.push_back(warning_of_lost_surface(lost, arguments_.model, model));
   }

@@ -118,6 +118,13 @@ void require_possible_groups(const UpdateArguments& arguments) {
   }
 }
 
+template <class Arguments>
+void require_use_of_keep_coarse(const Arguments& arguments) {
+  if (arguments.densify && arguments.keep_coarse) {
+    throw UsageError("--densify adds samples and --keep-coarse none: leave out one of them");
+  }
+}
+
 // The map names vertices of the mesh by number.
 void require_rules(const UpdateArguments& arguments) {
   if (!arguments.map.empty() && format_of(arguments.mesh) == FileFormat::stl) {
@@ -125,14 +132,15 @@ void require_rules(const UpdateArguments& arguments) {
                      ": STL does not keep the numbers of vertices that --map writes; use .ply, "
                      ".obj or .off, or leave out --map");
   }
-  if (arguments.densify && arguments.keep_coarse) {
-    throw UsageError("--densify adds samples and --keep-coarse none: leave out one of them");
-  }
+  require_use_of_keep_coarse(arguments);
   require_possible_groups(arguments);
   require_use_of_filter(arguments.filter);
 }
 
-void require_rules(const WatchArguments& arguments) { require_use_of_filter(arguments.filter); }
+void require_rules(const WatchArguments& arguments) {
+  require_use_of_keep_coarse(arguments);
+  require_use_of_filter(arguments.filter);
+}
 
 template <class Arguments>
 void require_rules(const Arguments&) {}

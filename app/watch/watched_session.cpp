@@ -30,6 +30,7 @@ bool WatchedSession::begin() {
   }
   const bool is_new = begin_session(
       job_, read_model_input(job_, arguments_.model, arguments_.densify), options_, state_.session);
+  is_mesh_of_file_ = !is_new;
   state_.notes = {first_note};
   remove_pending_clouds(file_);  // of a session that somebody removed
   save_whole();
@@ -55,6 +56,9 @@ void WatchedSession::resume(const std::string& first_note) {
   if (state_.pending == 0) remove_pending_clouds(file_);  // the kill came before that
   write_mesh(arguments_.mesh, model(), arguments_.writing);
   const NoteCounts noted = count_notes(state_.notes);
+  if (noted.applied == 0 && !arguments_.densify) {
+    is_mesh_of_file_ = !read_model_input(job_, arguments_.model, {}).mesh.triangles.empty();
+  }
   std::string line =
       fmt::format("{}: resumed with {} applied", file_, counted(noted.applied, "cloud"));
   if (noted.refused > 0) {
@@ -73,13 +77,15 @@ void WatchedSession::save_whole() {
   outputs.commit();
   remove_pending_clouds(file_);
   state_.pending = 0;
+  is_begun_anew_ = false;
 }
 
 void WatchedSession::keep(const PendingUpdate& update) {
   const auto note = [&] {
     state_.notes.insert(state_.notes.end(), update.notes.begin(), update.notes.end());
   };
-  if (state_.pending + update.notes.size() >= arguments_.save_every) {
+  if (!update.refused) is_mesh_of_file_ = false;
+  if (is_begun_anew_ || state_.pending + update.notes.size() >= arguments_.save_every) {
     note();
     return save_whole();
   }
@@ -92,8 +98,15 @@ void WatchedSession::keep(const PendingUpdate& update) {
   state_.pending += update.notes.size();
 }
 
+void WatchedSession::begin_anew(TriangleMesh dense_model) {
+  state_.session.emplace(std::move(dense_model), options_);
+  state_.session->limit_undo(0);  // no command goes back
+  is_mesh_of_file_ = false;
+  is_begun_anew_ = true;
+}
+
 void WatchedSession::finish() {
-  if (state_.pending > 0) save_whole();
+  if (state_.pending > 0 && !is_begun_anew_) save_whole();
 }
 
 }  // namespace cocoon::app

@@ -35,9 +35,16 @@ class WatchedSession {
   UpdateSession& session() { return *state_.session; }
   const TriangleMesh& model() const { return state_.session->model(); }
   const std::vector<std::string>& notes() const { return state_.notes; }
+  // The model is the mesh of the file, as it is; no cloud has changed it.
+  bool is_mesh_of_file() const { return is_mesh_of_file_; }
+
+  // Goes on with this mesh instead, on disk from the next keep() on. Precondition:
+  // is_mesh_of_file().
+  void begin_anew(TriangleMesh dense_model);
 
   // After clouds were applied to the session, or refused: writes the mesh, and the clouds beside
-  // the session or, after so many (--save-every), all of it. Errors: FileError.
+  // the session or, after so many (--save-every) and if it was begun anew, all of it. Errors:
+  // FileError.
   void keep(const PendingUpdate& update);
 
   // Takes what is beside the session into its file. Errors: FileError.
@@ -52,6 +59,8 @@ class WatchedSession {
   Job& job_;
   std::string file_;
   ResumedSession state_;
+  bool is_mesh_of_file_ = false;
+  bool is_begun_anew_ = false;  // of which the disk does not know yet
 };
 
 }  // namespace cocoon::app

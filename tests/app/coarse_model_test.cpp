@@ -114,6 +114,24 @@ TEST(CoarseModel, IsSampledLessDenselyWhereThatTakesTooMany) {
   EXPECT_LT(input.model.points.size(), 2000U);
 }
 
+// For an update that is yet to come.
+TEST(CoarseModel, IsMadeDenseBeforeItsUpdate) {
+  Job job("watch", silent());
+  UpdateInput input = update_of(plate(), boss());
+  EXPECT_EQ(make_dense_enough(job, input, {}), "");
+  EXPECT_FALSE(input.is_mesh_of_file);
+  Job at_once("update", silent());
+  UpdateInput other = update_of(plate(), boss());
+  updated_dense_enough(at_once, other, {});
+  EXPECT_EQ(input.model, other.model);
+  EXPECT_EQ(job.warnings(), at_once.warnings());
+
+  input = update_of(plate(), boss());
+  EXPECT_NE(make_dense_enough(job, input, {}, {.max_given_up = -1}).find("keeps no more"),
+            std::string::npos);
+  EXPECT_EQ(input.model, plate());
+}
+
 // A box within the box, which the scan is far from.
 TEST(CoarseModel, KeepsItsHollow) {
   TriangleMesh model;

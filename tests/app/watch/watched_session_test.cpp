@@ -81,6 +81,32 @@ TEST_F(WatchedSessionTest, IsWrittenAsAWholeAfterSoManyClouds) {
   EXPECT_EQ(session_->notes().back(), "applied cap");
 }
 
+// Another mesh takes the place of that of the file together with the first cloud.
+TEST_F(WatchedSessionTest, IsBegunAnewOnDiskWithItsFirstCloud) {
+  EXPECT_TRUE(restart().begin());
+  EXPECT_FALSE(session_->is_mesh_of_file());  // but one of points
+  const TriangleMesh model = session_->model();
+  std::filesystem::remove(folder_.file("mesh.ply.session"));
+  arguments_.model = folder_.write("tetrahedron.ply", test::tetrahedron_ply).string();
+  EXPECT_FALSE(restart().begin());
+  EXPECT_TRUE(session_->is_mesh_of_file());
+  session_->begin_anew(model);
+  EXPECT_FALSE(session_->is_mesh_of_file());
+  session_->finish();
+
+  EXPECT_FALSE(restart().begin());  // after a kill
+  EXPECT_EQ(session_->model().points.size(), 4U);
+  EXPECT_TRUE(session_->is_mesh_of_file());
+  session_->begin_anew(model);
+  apply_and_keep();
+  const TriangleMesh updated = session_->model();
+  EXPECT_TRUE(is_mesh_that_of_the_session());
+
+  EXPECT_FALSE(restart().begin());
+  EXPECT_EQ(session_->model(), updated);
+  EXPECT_FALSE(session_->is_mesh_of_file());
+}
+
 TEST_F(WatchedSessionTest, IsOfOneModelAndItsParameters) {
   restart().begin();
   arguments_.parameters.alpha_deg = 25;
