@@ -21,26 +21,28 @@ namespace cocoon::app {
 
 namespace {
 
-double spacing_of(const std::vector<std::vector<Point>>& clouds, const CoarseModelOptions& coarse) {
-  double spacing = 0;
+std::vector<Scan> scans_before(const std::vector<std::vector<Point>>& clouds,
+                               const CoarseModelOptions& coarse) {
+  std::vector<Scan> scans;
   for (const std::vector<Point>& cloud : clouds) {
-    spacing =
-        std::max(spacing, coarse.neighbor_share * median_neighbor_distance(cloud, coarse.neighbor));
+    scans.push_back(
+        {cloud, coarse.neighbor_share * median_neighbor_distance(cloud, coarse.neighbor)});
   }
-  return spacing;
+  return scans;
 }
 
 // In two digits, as it is told: --densify with this number gives the same.
 double spacing_to_try(const UpdateInput& input, const CoarseModelOptions& coarse) {
   const double area = TrianglesByArea(input.model).area();
-  const double spacing =
-      std::max(spacing_of(input.clouds, coarse), std::sqrt(area / coarse.most_samples));
+  const double spacing = std::max(largest_spacing(scans_before(input.clouds, coarse)),
+                                  std::sqrt(area / coarse.most_samples));
   return std::strtod(fmt::format("{:.2g}", spacing).c_str(), nullptr);
 }
 
-// Whether triangles that are too large for the scans are at least this share of the model's area.
+// Whether triangles that are too large for the scans and the change (large_side) are at least this
+// share of the model's area.
 bool has_large_triangles(const UpdateInput& input, double share, const CoarseModelOptions& coarse) {
-  const double limit = AstrayOptions().coarse_ratio * spacing_of(input.clouds, coarse);
+  const double limit = large_side(scans_before(input.clouds, coarse));
   double area = 0;
   double large = 0;
   for (const TriangleId t : input.model.triangles.ids()) {

@@ -12,9 +12,9 @@
 namespace cocoon::app {
 
 struct CoarseModelOptions {
-  // By make_dense_enough the model is looked at only if triangles that are too large for the scans
-  // (AstrayOptions::coarse_ratio) are at least this share of its area; where an update is refused,
-  // if this one. Others lose less than is told.
+  // By make_dense_enough the model is looked at only if triangles that are too large (large_side)
+  // are at least this share of its area; where an update is refused, if this one. Others lose less
+  // than is told.
   double min_large_share = 0.01;
   double min_large_share_if_refused = 0.5;
   // The spacing of a scan is this part of the distance of its samples from the neighbor of this
@@ -44,7 +44,7 @@ UpdateOutcome updated_dense_enough(Job& job, UpdateInput& input, const UpdateOpt
 
 // For an update that is yet to come, of a session or with regions that are said to go or stay:
 // makes the model dense if updated_dense_enough would, in as many words; not if few of its
-// triangles are large (min_large_share), which is told without an update. Returns what became of a
+// triangles are large (min_large_share), which is known without an update. Returns what became of a
 // trial that was not taken (LostSurface::tried). Throws Cancelled.
 std::string make_dense_enough(Job& job, UpdateInput& input, const UpdateOptions& options,
                               const CoarseModelOptions& coarse = {});

@@ -31,7 +31,8 @@ void require_options(const char* stage, const AstrayOptions& options) {
                           {"astray.coarse_ratio", options.coarse_ratio}});
   require_number(stage, "astray.most_parts", static_cast<double>(options.most_parts), 1, 100);
   require_shares(stage, {{"astray.min_area_share", options.min_area_share},
-                         {"astray.min_coarse_share", options.min_coarse_share}});
+                         {"astray.min_coarse_share", options.min_coarse_share},
+                         {"astray.min_extent_share", options.min_extent_share}});
 }
 
 void require_options(const char* stage, const ChoiceOptions& options) {

@@ -38,7 +38,8 @@ std::vector<TriangleId> large_new(const TriangleMesh& updated, const MeshChange&
 
 // LostSurface::large_share. Of most models no triangle is that large.
 double large_share_of(const TriangleMesh& model, const TriangleMesh& updated,
-                      const MeshChange& change, std::span<const Scan> scans, double large) {
+                      const MeshChange& change, std::span<const Scan> scans) {
+  const double large = large_side(scans);
   const std::vector<TriangleId> lost = large_lost(model, change, large);
   const std::vector<TriangleId> added = large_new(updated, change, large);
   if (lost.empty() && added.empty()) return 0;
@@ -59,13 +60,12 @@ LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vecto
       lost_triangles(model, result.replacement.point_of_vertex, update.change.triangle_map);
   const LostTriangles& found = lost.triangles;
   const std::vector<Scan> scans = scans_of(clouds, result.clouds);
-  const double large = options.coarse_ratio * largest_spacing(scans);
-  lost.large_share = large_share_of(model, updated, update.change, scans, large);
+  lost.large_share = large_share_of(model, updated, update.change, scans);
   if (!(found.lost_area > options.min_coarse_share * found.staying_area)) return lost;
   lost.astray = astray_triangles(model, found.lost, updated, scans, options);
   lost.share = lost.astray.area / found.staying_area;
   lost.warns = *lost.share > options.min_area_share;
-  lost.is_coarse = lost.astray.median_longest_edge > large;
+  lost.is_coarse = lost.astray.median_longest_edge > options.coarse_ratio * largest_spacing(scans);
   return lost;
 }
 

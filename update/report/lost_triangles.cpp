@@ -1,6 +1,7 @@
 #include "update/report/lost_triangles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "geom/mesh/triangles_by_area.h"
@@ -50,7 +51,26 @@ double median_by_area(std::vector<Sized> triangles, double area) {
   return triangles.empty() ? 0 : triangles.back().longest;
 }
 
+// The diameter of a flat disk with the same mean square distance from the mean.
+double extent_of(Points points) {
+  if (points.empty()) return 0;
+  const double share = 1 / static_cast<double>(points.size());
+  Vec3 mean = {};
+  for (const Point& p : points) mean = mean + share * p;
+  double square = 0;
+  for (const Point& p : points) square += share * squared_norm(p - mean);
+  return std::sqrt(8 * square);
+}
+
 }  // namespace
+
+double large_side(std::span<const Scan> scans, const AstrayOptions& options) {
+  require_options("large_side", options);
+  if (scans.empty()) return 0;
+  double extent = std::numeric_limits<double>::infinity();
+  for (const Scan& scan : scans) extent = std::min(extent, extent_of(scan.samples));
+  return std::max(options.coarse_ratio * largest_spacing(scans), options.min_extent_share * extent);
+}
 
 AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const TriangleId> triangles,
                                  const TriangleMesh& updated, std::span<const Scan> scans,

@@ -44,9 +44,20 @@ struct AstrayOptions {
   // thirty models with finer scans those that are meshes of scans lost 1.1 % at most, those of CAD
   // programs 2.3 % at least.
   double min_coarse_share = 0.015;
+  // And a trial is only made of triangles that are large for the change, too: longer than this
+  // share of its extent (large_side). Of others little is lost beside the change, but of models
+  // that were scanned more coarsely all triangles of what was changed would seem lost; on the
+  // paper's models they are 0.015 to 0.04 of the extent.
+  double min_extent_share = 0.1;
   // Sides of large triangles are divided into parts no longer, at most so many.
   std::size_t most_parts = 8;
 };
+
+// Triangles with a longer side are too large for the scans and for what was changed:
+// min_extent_share of the extent of the smallest scan, and at least coarse_ratio times the largest
+// spacing. The extent is the diameter of a flat disk whose samples are as far from their mean, the
+// same in all directions. Complexity: O(n). Errors: InputError for options out of range.
+double large_side(std::span<const Scan> scans, const AstrayOptions& options = {});
 
 struct AstrayTriangles {
   std::size_t count = 0;
