@@ -1,5 +1,6 @@
 #include "app/report/lost_surface.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <fmt/format.h>
 #include <span>
@@ -14,11 +15,20 @@ namespace cocoon::app {
 
 namespace {
 
-std::vector<TriangleId> large_lost(const TriangleMesh& model, const MeshChange& change,
+// Whether the update says that the triangle is to go: one of a replaced region, not of its border.
+bool is_replaced(const UpdateResult& result, TriangleId t) {
+  if (result.replaced_groups.empty()) return false;
+  const RegionId region = result.regions.region_of_facet[t];
+  const auto& groups = result.replaced_groups;
+  return std::find(groups.begin(), groups.end(), region) != groups.end();
+}
+
+std::vector<TriangleId> large_lost(const TriangleMesh& model, const SessionUpdate& update,
                                    double large) {
   std::vector<TriangleId> lost;
   for (const TriangleId t : model.triangles.ids()) {
-    if (change.triangle_map[t].is_none() && longest_edge(model, t) > large) lost.push_back(t);
+    if (!update.change.triangle_map[t].is_none() || !(longest_edge(model, t) > large)) continue;
+    if (!is_replaced(update.result, t)) lost.push_back(t);
   }
   return lost;
 }
@@ -38,10 +48,10 @@ std::vector<TriangleId> large_new(const TriangleMesh& updated, const MeshChange&
 
 // LostSurface::large_share. Of most models no triangle is that large.
 double large_share_of(const TriangleMesh& model, const TriangleMesh& updated,
-                      const MeshChange& change, std::span<const Scan> scans) {
+                      const SessionUpdate& update, std::span<const Scan> scans) {
   const double large = large_side(scans);
-  const std::vector<TriangleId> lost = large_lost(model, change, large);
-  const std::vector<TriangleId> added = large_new(updated, change, large);
+  const std::vector<TriangleId> lost = large_lost(model, update, large);
+  const std::vector<TriangleId> added = large_new(updated, update.change, large);
   if (lost.empty() && added.empty()) return 0;
   const UnscannedPlaces places(scans);
   const double area = places.area_off(places.of(model, lost), updated) +
@@ -60,7 +70,7 @@ LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vecto
       lost_triangles(model, result.replacement.point_of_vertex, update.change.triangle_map);
   const LostTriangles& found = lost.triangles;
   const std::vector<Scan> scans = scans_of(clouds, result.clouds);
-  lost.large_share = large_share_of(model, updated, update.change, scans);
+  lost.large_share = large_share_of(model, updated, update, scans);
   if (!(found.lost_area > options.min_coarse_share * found.staying_area)) return lost;
   lost.astray = astray_triangles(model, found.lost, updated, scans, options);
   lost.share = lost.astray.area / found.staying_area;

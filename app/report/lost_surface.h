@@ -21,9 +21,10 @@ struct LostSurface {
   std::optional<double> share;  // of the area that stays, astray; none: hardly any is lost
   bool warns = false;           // the share is worth a warning
   bool is_coarse = false;       // the astray triangles are too large for each of the scans
-  // What large triangles (large_side) have lost where nothing was scanned, whether or not the
-  // change has taken their vertices: what it has taken of them may be little. And what large new
-  // ones have made up there, off the model. As a share of the model's area.
+  // What large triangles (large_side), but for those of replaced regions, have lost where nothing
+  // was scanned, whether or not the change has taken their vertices: what it has taken of them may
+  // be little. And what large new ones have made up there, off the model. As a share of the model's
+  // area.
   double large_share = 0;
   std::string tried;  // what became of a trial that was not taken; empty: there was none
 };

@@ -51,6 +51,19 @@ TEST(LostSurface, SeesWhatLargeTrianglesLoseWithAVertex) {
             0);
 }
 
+// What the update says is to go is no loss.
+TEST(LostSurface, IsNotOfReplacedRegions) {
+  BoxUpdate box(VertexId(0U), 0.5);
+  UpdateResult& result = box.update.result;
+  for (const TriangleId now : box.update.change.triangle_map) {
+    result.regions.region_of_facet.push_back(now.is_none() ? RegionId(1U) : RegionId(0U));
+  }
+  result.replaced_groups = {RegionId(1U)};
+  EXPECT_EQ(lost_surface(box.model, box.clouds, box.update, box.updated).large_share, 0);
+  result.replaced_groups = {RegionId(2U)};
+  EXPECT_GT(lost_surface(box.model, box.clouds, box.update, box.updated).large_share, 0.4);
+}
+
 TEST(LostSurface, IsNoneWhereAllIsKept) {
   const BoxUpdate box(VertexId(), 0.5);
   const LostSurface lost = lost_surface(box.model, box.clouds, box.update, box.updated);
