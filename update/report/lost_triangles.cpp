@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "geom/arrays/median.h"
 #include "geom/mesh/triangles_by_area.h"
 #include "geom/search/closest_facet.h"
 #include "update/cloud/scanned_places.h"
@@ -51,15 +53,18 @@ double median_by_area(std::vector<Sized> triangles, double area) {
   return triangles.empty() ? 0 : triangles.back().longest;
 }
 
-// The diameter of a flat disk with the same mean square distance from the mean.
+// The diameter of a flat disk with the same median distance from the middle.
 double extent_of(Points points) {
   if (points.empty()) return 0;
-  const double share = 1 / static_cast<double>(points.size());
-  Vec3 mean = {};
-  for (const Point& p : points) mean = mean + share * p;
-  double square = 0;
-  for (const Point& p : points) square += share * squared_norm(p - mean);
-  return std::sqrt(8 * square);
+  const auto median_of = [&](auto number) {
+    std::vector<double> numbers;
+    for (const Point& p : points) numbers.push_back(number(p));
+    return median(std::move(numbers));
+  };
+  const Point middle = {median_of([](const Point& p) { return p.x; }),
+                        median_of([](const Point& p) { return p.y; }),
+                        median_of([](const Point& p) { return p.z; })};
+  return std::sqrt(8.0) * median_of([&](const Point& p) { return norm(p - middle); });
 }
 
 }  // namespace

@@ -55,8 +55,9 @@ struct AstrayOptions {
 
 // Triangles with a longer side are too large for the scans and for what was changed:
 // min_extent_share of the extent of the smallest scan, and at least coarse_ratio times the largest
-// spacing. The extent is the diameter of a flat disk whose samples are as far from their mean, the
-// same in all directions. Complexity: O(n). Errors: InputError for options out of range.
+// spacing. The extent is the diameter of a flat disk half of whose samples are as far from the
+// middle, where the medians of their coordinates are: strays do not count. Complexity: O(n).
+// Errors: InputError for options out of range.
 double large_side(std::span<const Scan> scans, const AstrayOptions& options = {});
 
 struct AstrayTriangles {
