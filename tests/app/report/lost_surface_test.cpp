@@ -30,7 +30,8 @@ struct BoxUpdate {
     for (const TriangleId t : model.triangles.ids()) {
       const Triangle& corners = model.triangles[t];
       const bool goes = std::find(corners.begin(), corners.end(), vertex) != corners.end();
-      update.change.triangle_map.push_back(goes ? TriangleId() : t);
+      update.change.triangle_map.push_back(goes ? TriangleId()
+                                                : TriangleId(updated.triangles.size()));
       if (!goes) updated.triangles.push_back(corners);
     }
   }
