@@ -184,15 +184,10 @@ void make_dense(Job& job, UpdateInput& input, UpdateOutcome& outcome, const Upda
   const double spacing = spacing_to_try(input, coarse);
   if (!(spacing > 0)) return;
   DenseUpdate dense;
-  job.begin_trial();
-  try {
+  const bool is_taken = job.try_out([&] {
     outcome.lost.tried = try_dense(job, input, outcome, options, spacing, coarse, dense);
-  } catch (const Cancelled&) {
-    job.end_trial(false);
-    throw;
-  }
-  const bool is_taken = outcome.lost.tried.empty();
-  job.end_trial(is_taken);
+    return outcome.lost.tried.empty();
+  });
   JsonReport& report = job.report();
   report.set("update/coarse_model/status", std::string(name_of(outcome.update.result.status)));
   report.set("update/coarse_model/spacing", spacing);

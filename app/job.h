@@ -49,10 +49,22 @@ class Job {
   // The first one that nobody has seen, which may explain why the command fails; empty: none.
   const std::string& unseen_warning() const { return unseen_warning_; }
 
-  // What is said, warned and reported from now on counts only if the trial is taken in the end;
-  // until then no line is printed. Of stages the time counts in any case. Trials are not nested.
-  void begin_trial();
-  void end_trial(bool is_taken);
+  // Returns attempt(), whether the attempt is taken. What it says, warns and reports counts only
+  // then, and not if it throws; until then no line is printed. Of stages the time counts in any
+  // case. Attempts are not nested.
+  template <class Attempt>
+  bool try_out(const Attempt& attempt) {
+    begin_trial();
+    bool is_taken = false;
+    try {
+      is_taken = attempt();
+    } catch (...) {
+      end_trial(false);
+      throw;
+    }
+    end_trial(is_taken);
+    return is_taken;
+  }
 
   // Makes a folder for outputs. What was made of it goes again if nothing is in it when the job
   // ends. Throws FileError.
@@ -77,6 +89,8 @@ class Job {
   void finish(const std::string& copy_of_report = {});
 
  private:
+  void begin_trial();
+  void end_trial(bool is_taken);
   void say_line(const std::string& line);
 
   SharedArguments shared_;

@@ -46,9 +46,7 @@ void reconstruct(Job& job, const ReconstructOptions& options, ModelInput& model,
     if (model.dense) {
       properties = properties_of_samples(properties, model.mesh.points.span());
     }
-    std::vector<RowOrigin> origins;
-    for (const PointId point : initial.point_of_vertex) origins.push_back({0, point.index()});
-    properties = select_rows(properties, origins);
+    properties = select_rows(properties, rows_of(initial));
   }
   const IdVector<PointId, VertexId> vertex_of_point =
       vertices_of(model.mesh.points.span(), initial);

@@ -63,11 +63,15 @@ VertexProperties properties_of_samples(const VertexProperties& table, Points sam
   return select_rows(table, origins);
 }
 
-VertexProperties properties_of_surface(Job& job, const VertexProperties& table,
-                                       const std::string& name, const ReconstructResult& surface) {
+std::vector<RowOrigin> rows_of(const ReconstructResult& surface) {
   std::vector<RowOrigin> origins;
   for (const PointId point : surface.point_of_vertex) origins.push_back({0, point.index()});
-  return carried_properties(job, {&table, 1}, {name}, origins);
+  return origins;
+}
+
+VertexProperties properties_of_surface(Job& job, const VertexProperties& table,
+                                       const std::string& name, const ReconstructResult& surface) {
+  return carried_properties(job, {&table, 1}, {name}, rows_of(surface));
 }
 
 }  // namespace cocoon::app

@@ -1,7 +1,6 @@
 // Colors, normals and other properties of PLY inputs, carried to the PLY output.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +25,9 @@ VertexProperties carried_properties(Job& job, std::span<const VertexProperties> 
 // The properties of samples of a mesh: the first are its vertices, of which `table` is, the others
 // have those of the nearest vertex. Complexity: O(n log n), if there are any properties.
 VertexProperties properties_of_samples(const VertexProperties& table, Points samples);
+
+// Of each vertex of a surface the row in a table of its points.
+std::vector<RowOrigin> rows_of(const ReconstructResult& surface);
 
 // carried_properties for a surface of the points of one file.
 VertexProperties properties_of_surface(Job& job, const VertexProperties& table,

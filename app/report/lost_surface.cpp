@@ -27,8 +27,10 @@ std::vector<TriangleId> large_lost(const TriangleMesh& model, const SessionUpdat
                                    double large) {
   std::vector<TriangleId> lost;
   for (const TriangleId t : model.triangles.ids()) {
-    if (!update.change.triangle_map[t].is_none() || !(longest_edge(model, t) > large)) continue;
-    if (!is_replaced(update.result, t)) lost.push_back(t);
+    const bool has_gone = update.change.triangle_map[t].is_none();
+    if (has_gone && longest_edge(model, t) > large && !is_replaced(update.result, t)) {
+      lost.push_back(t);
+    }
   }
   return lost;
 }

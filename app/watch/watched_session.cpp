@@ -99,8 +99,9 @@ void WatchedSession::keep(const PendingUpdate& update) {
 }
 
 void WatchedSession::begin_anew(TriangleMesh dense_model) {
-  state_.session.emplace(std::move(dense_model), options_);
-  state_.session->limit_undo(0);  // no command goes back
+  ModelInput dense;
+  dense.mesh = std::move(dense_model);
+  begin_session(job_, std::move(dense), options_, state_.session);
   is_mesh_of_file_ = false;
   is_begun_anew_ = true;
 }
