@@ -2,10 +2,12 @@
 #include "update/update_model.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "cocone/reconstruct.h"
+#include "geom/errors.h"
 #include "tests/gallery.h"
 #include "tests/layered_views.h"
 
@@ -81,6 +83,40 @@ TEST_F(RimsOfLayers, LeaveOtherCloudsAsTheyAre) {
     EXPECT_TRUE(both.clouds[1].surface.is_layered);
     EXPECT_EQ(both.warnings.front().find("cloud 2 of 2: samples lie in layers"), 0U);
   }
+}
+
+// Of clouds that fail in different ways the order does not tell how the update ends.
+TEST(FailingClouds, EndAnUpdateInTheSameWayInAnyOrder) {
+  const TriangleMesh model = reconstruct_tight(gallery::even_sphere(500)).mesh;
+  std::vector<Point> closed;
+  for (const Point& p : gallery::even_sphere(200)) {
+    closed.push_back(Point{0, 0, 1.2} + 0.1 * p);
+  }
+  std::vector<Point> far;
+  for (const Point& p : gallery::even_sphere(500)) {
+    if (p.x > 0.5) far.push_back(p + Point{3, 0, 0});
+  }
+  const std::vector<Point> few = {{0, 0, -1}, {0, 0.1, -1}, {0.1, 0, -1}, {0, 0, -1.1}};
+  const auto status_of = [&](const Clouds& clouds) { return update_model(model, clouds).status; };
+  ASSERT_EQ(status_of({closed}), UpdateStatus::cloud_closed);
+  ASSERT_EQ(status_of({few}), UpdateStatus::no_cloud_surface);
+  ASSERT_EQ(status_of({far}), UpdateStatus::no_overlap);
+  EXPECT_EQ(status_of({closed, few}), UpdateStatus::no_cloud_surface);
+  EXPECT_EQ(status_of({few, closed}), UpdateStatus::no_cloud_surface);
+  EXPECT_EQ(status_of({far, closed, few}), UpdateStatus::no_cloud_surface);
+  EXPECT_EQ(status_of({far, closed}), UpdateStatus::cloud_closed);
+  EXPECT_EQ(update_model(model, Clouds{few, few}).message.find("cloud 1 of 2 "), 0U);
+
+  const std::vector<Point> on_a_line = {{0, 0, 1}, {0, 0, 2}, {0, 0, 3}, {0, 0, 4}, {0, 0, 5}};
+  EXPECT_THROW(status_of({closed, on_a_line}), DegenerateInput);
+  EXPECT_THROW(status_of({on_a_line, closed}), DegenerateInput);
+}
+
+TEST(FailingClouds, AreNotLookedAtAgainWithOneThatIsNotFinite) {
+  const TriangleMesh model = reconstruct_tight(gallery::even_sphere(500)).mesh;
+  std::vector<Point> endless = gallery::even_sphere(40);
+  endless[7].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(update_model(model, Clouds{gallery::even_sphere(200), endless}), InputError);
 }
 
 }  // namespace

@@ -1,22 +1,32 @@
 #include "update/cloud/ordinary_size.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
 
+#include "delaunay/require_points.h"
 #include "geom/errors.h"
+#include "geom/point.h"
+#include "update/report/update_messages.h"
 
 namespace cocoon {
 namespace {
 
+// What is not finite is another check's to name.
 bool has_ordinary_size(Points points) {
   double largest = 0;
-  for (const Point& p : points) {
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
-  // What is not finite is for delaunay() to name.
+  for (const Point& p : points) largest = std::max(largest, max_norm(p));
   return largest == 0 || !std::isfinite(largest) || (largest >= 0x1p-200 && largest <= 0x1p+200);
+}
+
+void require_finite_cloud(Points cloud, const std::string& name) {
+  try {
+    require_finite(cloud);
+  } catch (const InputError& error) {
+    throw InputError(name + ": " + error.what());
+  }
 }
 
 }  // namespace
@@ -24,9 +34,10 @@ bool has_ordinary_size(Points points) {
 void require_ordinary_size(Points model, std::span<const std::vector<Point>> clouds) {
   std::string too_far;
   if (!has_ordinary_size(model)) too_far = "the model";
-  for (std::size_t c = 0; c < clouds.size() && too_far.empty(); ++c) {
-    if (has_ordinary_size(clouds[c])) continue;
-    too_far = "cloud " + std::to_string(c + 1) + " of " + std::to_string(clouds.size());
+  for (std::size_t c = 0; c < clouds.size(); ++c) {
+    const std::string name = name_of_clouds(std::array{c}, clouds.size());
+    require_finite_cloud(clouds[c], name);
+    if (too_far.empty() && !has_ordinary_size(clouds[c])) too_far = name;
   }
   if (too_far.empty()) return;
   throw InputError(too_far +

@@ -8,9 +8,10 @@
 
 namespace cocoon {
 
-// Throws InputError, one line that names it, if the largest coordinate of the model or of a cloud
-// is not in [2^-200, 2^200] (nor 0, nor not finite: that is for delaunay() to name): the stages
-// multiply three lengths and more, so they need room on both sides. Complexity: O(n).
+// Throws InputError, one line that names it, if a coordinate of a cloud is not finite, or if the
+// largest one of the model or of a cloud is neither 0 nor in [2^-200, 2^200]: the stages multiply
+// three lengths and more, so they need room on both sides. (What is not finite in the model is for
+// ModelIndex to name.) Complexity: O(n).
 void require_ordinary_size(Points model, std::span<const std::vector<Point>> clouds);
 
 }  // namespace cocoon

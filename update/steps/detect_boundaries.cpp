@@ -43,14 +43,16 @@ bool detect_boundaries(UpdateRun& run, const Execution& execution) {
     } catch (const DegenerateInput& error) {
       if (run.joined[c].sheet.empty()) throw;
       // Of a choice of the samples.
-      return run.fail(UpdateStatus::no_cloud_surface, error.what());
+      run.fail(UpdateStatus::no_cloud_surface, error.what());
+      run.other_surfaces.emplace_back();
+      continue;
     }
     std::vector<CloudSurface>& surfaces = run.other_surfaces[c];
     run.result.clouds[c] = report_of_surface(std::move(surfaces.front()));
     surfaces.erase(surfaces.begin());
-    if (!run.result.clouds[c].surface.has_loops()) return fail_without_rim(run, c);
+    if (!run.result.clouds[c].surface.has_loops()) fail_without_rim(run, c);
   }
-  return true;
+  return run.result.status == UpdateStatus::ok;
 }
 
 bool fail_without_rim(UpdateRun& run, std::size_t c) {

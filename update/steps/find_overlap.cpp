@@ -21,16 +21,16 @@ void report_overlap(UpdateRun& run, std::size_t c) {
   }
 }
 
-bool fail_no_overlap(UpdateRun& run, std::size_t c, const Execution& execution) {
+void fail_no_overlap(UpdateRun& run, std::size_t c, const Execution& execution) {
   const CloudReport& report = run.result.clouds[c];
   const CloudRim& rim = report.surface.rim;
   const Overlap& overlap = run.rims.overlaps[c];
   const OverlapOptions& options = run.options.overlap;
-  return run.fail(UpdateStatus::no_overlap,
-                  run.name_of_cloud(c) + " " +
-                      reason_of_no_overlap(
-                          overlap.unmatched, report.boundary_points, options.max_distance,
-                          rim.spacing, unit_factor(*run.index, rim, overlap, options, execution)));
+  run.fail(UpdateStatus::no_overlap,
+           run.name_of_cloud(c) + " " +
+               reason_of_no_overlap(overlap.unmatched, report.boundary_points, options.max_distance,
+                                    rim.spacing,
+                                    unit_factor(*run.index, rim, overlap, options, execution)));
 }
 
 }  // namespace
@@ -41,16 +41,20 @@ bool find_overlap(UpdateRun& run, const Execution& execution) {
                          execution);
   for (std::size_t c = 0; c < run.clouds.size(); ++c) {
     CloudReport& report = run.result.clouds[c];
-    if (report.surface.rim.loops.empty()) return fail_without_rim(run, c);
+    if (report.surface.rim.loops.empty()) {
+      fail_without_rim(run, c);
+      continue;
+    }
     report_overlap(run, c);
     enter_shift(cloud_shift(*run.index, run.clouds[c], report.surface.rim, run.rims.overlaps[c],
                             options.shift),
                 options.shift, report);
     run.warn_of_cloud(c, warnings_of_cloud(report, options.overlap, options.shift));
     if (run.rims.overlaps[c].status == OverlapStatus::no_overlap) {
-      return fail_no_overlap(run, c, execution);
+      fail_no_overlap(run, c, execution);
     }
   }
+  if (run.result.status != UpdateStatus::ok) return false;
   trace_borders(run, execution);
   return true;
 }

@@ -7,7 +7,8 @@
 namespace cocoon {
 
 // Locates the rims, taking those of other trials where they lie better, and traces the border from
-// facet to facet. False if a cloud has no rim after all, or one that is not on the model.
+// facet to facet. False if some cloud has no rim after all, or one that is not on the
+// model; all are looked at.
 // Precondition: run.index is set. Errors and complexity: those of locate_rims() and trace_border().
 // Source: Woo & Dey 2005, section 3.3.
 bool find_overlap(UpdateRun& run, const Execution& execution);

@@ -50,8 +50,10 @@ std::string UpdateRun::name_of_loop(std::size_t c, std::size_t l) const {
 }
 
 bool UpdateRun::fail(UpdateStatus status, std::string message) {
-  result.status = status;
-  result.message = std::move(message);
+  if (result.status == UpdateStatus::ok || status < result.status) {
+    result.status = status;
+    result.message = std::move(message);
+  }
   return false;
 }
 

@@ -45,7 +45,8 @@ struct UpdateRun {
   bool are_joined() const { return joined.size() < given.size(); }
   std::string name_of_cloud(std::size_t c) const;
   std::string name_of_loop(std::size_t c, std::size_t l) const;
-  // Returns false, as the step that fails does.
+  // Returns false, as the step that fails does. Of several failures that counts whose status comes
+  // first, and of equal ones the one told first.
   bool fail(UpdateStatus status, std::string message);
   void warn(std::string message) { result.warnings.push_back(std::move(message)); }
   void warn_of_cloud(std::size_t c, const std::vector<std::string>& warnings);
