@@ -54,6 +54,10 @@ class Watch {
     require_outputs(
         job, {{arguments.mesh, mesh_extensions}, {.path = session_.file(), .is_session = true}},
         {arguments.model});
+    if (place_of(session_.file()) == place_of(lock_of(arguments.mesh))) {
+      throw UsageError(session_.file() + ": this name is kept for the lock of " + arguments.mesh +
+                       "; name another one");
+    }
     require_folder(arguments.folder);
     folder_.require_readable();
     constexpr std::size_t most_notes = std::numeric_limits<std::uint32_t>::max();
@@ -66,8 +70,8 @@ class Watch {
     const LockFile mesh_lock(arguments_.mesh);  // by whatever session
     try {
       findings_are_due_ = session_.begin();
-    } catch (const Cancelled&) {
-      if (arguments_.once) throw;
+    } catch (const Error&) {  // a signal interrupts the system, too, when it waits for a pipe
+      if (arguments_.once || !interrupted()) throw;
       say("stopped before it watched; no file was changed");
       return false;
     }

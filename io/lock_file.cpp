@@ -23,6 +23,16 @@ bool is_still_there(int descriptor, const std::filesystem::path& path) {
          opened.st_dev == there.st_dev && opened.st_ino == there.st_ino;
 }
 
+// As all locks are that this makes.
+bool is_empty(int descriptor) {
+  struct stat status = {};
+  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_size == 0;
+}
+
+std::string no_lock(const std::string& name) {
+  return name + " beside it, which is there and no lock; move that away, or use another name";
+}
+
 }  // namespace
 
 std::filesystem::path lock_of(const std::filesystem::path& file) {
@@ -36,15 +46,20 @@ LockFile::LockFile(const std::filesystem::path& file) : lock_(lock_of(file)) {
     if (descriptor_ >= 0) ::close(descriptor_);
     throw file_error(file, why);
   };
+  const std::string name = lock_.filename().string();
   do {
     if (descriptor_ >= 0) ::close(descriptor_);
-    descriptor_ = ::open(lock_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    descriptor_ = ::open(lock_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (errno == ELOOP && descriptor_ < 0) fail("cannot be locked by " + no_lock(name));
+    if (descriptor_ >= 0 && !is_empty(descriptor_)) fail("cannot be locked by " + no_lock(name));
     if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) continue;
     if (errno == EWOULDBLOCK) {
       fail("is in use by another run of cocoon; wait until that is done, or stop it");
     }
-    fail("cannot be locked by " + lock_.filename().string() + " beside it (" +
-         std::strerror(errno) + "); check the folder and its permissions");
+    if (errno == ENAMETOOLONG)
+      fail("this name is too long with .lock behind it; use a shorter one");
+    fail("cannot be locked by " + name + " beside it (" + std::strerror(errno) +
+         "); check the folder and its permissions");
   } while (!is_still_there(descriptor_, lock_));
 }
 

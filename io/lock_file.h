@@ -18,7 +18,8 @@ std::filesystem::path lock_of(const std::filesystem::path& file);
 class LockFile {
  public:
   // Throws FileError, one line, if another process (or object) holds it, or if there can be no
-  // lock: the folder is missing or not writable.
+  // lock: the folder is missing or not writable, or "FILE.lock" is a link or holds something, so
+  // that it is somebody else's.
   explicit LockFile(const std::filesystem::path& file);
   // Removes "FILE.lock".
   ~LockFile();

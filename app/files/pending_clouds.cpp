@@ -1,8 +1,10 @@
 #include "app/files/pending_clouds.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <string_view>
 #include <utility>
 
@@ -95,6 +97,13 @@ std::vector<FoundCloud> pending_cloud_files(const std::string& session) {
     throw file_error(folder, "cannot be listed (" + error.message() + "); check the folder");
   }
   return found;
+}
+
+// Others that have the name of one are somebody else's.
+bool begins_with_magic(const fs::path& path) {
+  std::array<char, magic.size()> beginning = {};
+  std::ifstream(path, std::ios::binary).read(beginning.data(), beginning.size());
+  return std::string_view(beginning.data(), beginning.size()) == magic;
 }
 
 // Clouds are applied one after the other: where one is missing, those that came after it mean
@@ -211,6 +220,7 @@ std::vector<PendingUpdate> load_pending_clouds(const std::string& session,
 void remove_pending_clouds(const std::string& session) {
   std::error_code error;
   for (const FoundCloud& file : pending_cloud_files(session)) {
+    if (!begins_with_magic(file.path)) continue;
     if (!fs::remove(file.path, error) && error) {
       throw file_error(file.path, "cannot be removed (" + error.message() + "); check the folder");
     }

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <gtest/gtest.h>
 #include <memory>
+#include <string>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -46,6 +47,23 @@ TEST(LockFile, OfAKilledProcessIsTakenOver) {
   EXPECT_TRUE(std::filesystem::exists(folder / "a.lock"));
   { const LockFile lock(folder / "a"); }
   EXPECT_EQ(folder.names().size(), 0U);
+}
+
+// Programs of other people call files so, too.
+TEST(LockFile, OfSomebodyElseIsLeftAlone) {
+  const TemporaryFolder folder;
+  folder.write("poetry.lock", "what somebody needs");
+  folder.write("other", "");
+  std::filesystem::create_symlink("other", folder / "link.lock");
+  for (const char* name : {"poetry", "link"}) {
+    const std::string message =
+        message_of<FileError>(folder / name, [&] { LockFile(folder / name); });
+    EXPECT_NE(message.find(std::string(name) + ".lock beside it, which is there and no lock"),
+              std::string::npos)
+        << message;
+  }
+  EXPECT_EQ(content_of(folder.file("poetry.lock")), "what somebody needs");
+  EXPECT_EQ(folder.names().size(), 3U);
 }
 
 // Also if the file does not exist yet.

@@ -114,6 +114,15 @@ TEST(PendingClouds, AMissingOneIsNamed) {
   EXPECT_FALSE(std::filesystem::exists(pending_cloud_file(session, 1)));
 }
 
+TEST(PendingClouds, FilesOfSomebodyElseAreNotRemoved) {
+  const TemporaryFolder folder;
+  const std::string session = save(folder, {applied});
+  folder.write("s.cloud-7", "what somebody needs");
+  remove_pending_clouds(session);
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"s.cloud-7"});
+  EXPECT_EQ(content_of(folder.file("s.cloud-7")), "what somebody needs");
+}
+
 // The first two had no number of clouds.
 TEST(PendingClouds, VersionsBeforeAreReadAndOthersRefused) {
   const TemporaryFolder folder;
