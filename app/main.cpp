@@ -16,6 +16,7 @@
 #include "app/console/standard_streams.h"
 #include "app/kept_memory.h"
 #include "geom/errors.h"
+#include "geom/messages/without_control_bytes.h"
 
 namespace cocoon::app {
 
@@ -79,6 +80,11 @@ void run_job(const CommandLine& line, std::string& unseen_warning) {
     Job job(arguments.command, line.shared);
     try {
       run(arguments, job);
+    } catch (const FileError&) {
+      // A signal interrupts the system when it waits for a pipe.
+      if (interrupted()) throw Cancelled("cancelled while it waited for a file");
+      unseen_warning = job.unseen_warning();
+      throw;
     } catch (const Error&) {
       unseen_warning = job.unseen_warning();
       throw;
