@@ -146,7 +146,7 @@ void run(const BoundaryArguments& arguments, Job& job) {
   for (const ThresholdUse use : {ThresholdUse::cocone, ThresholdUse::loops}) {
     add_thresholds(job.report(), use, stages);
   }
-  add_reconstruction(job.report(), surface, certificate);
+  add_reconstruction(job, surface, certificate);
   add_boundary(job.report(), surface, boundary);
   say_summary(job, surface, certificate, boundary, arguments.mesh);
   tell_unused(job, doubts, surface.points - surface.duplicates);

@@ -19,7 +19,8 @@ void run(const DemoArguments& arguments, Job& job) {
                         {output("report.html")},
                         {is_asked_for ? "" : output("report.json")}});
   const UpdateOptions options = update_options({});
-  const SampleModel block = timed(job.execution(), "sample", [] { return sample_model("block"); });
+  const SampleModel block =
+      timed(job.execution(), "sample", [&] { return sample_model("block", {}, job.execution()); });
   UpdateInput input;
   input.model_name = "test block";
   input.model = initial_model(job, input.model_name, block.initial, {}, options.reconstruct).mesh;

@@ -74,6 +74,7 @@ StageOptions options_of(const ReconstructArguments& arguments) {
   options.noise.keep_good = arguments.noise_keep_good;
   options.noise.spare_good = arguments.noise_spare_good;
   set_thresholds(options, arguments.thresholds);
+  require_order(options);
   return options;
 }
 
@@ -235,7 +236,7 @@ void run(const ReconstructArguments& arguments, Job& job) {
   if (session) write_session(job, arguments, std::move(*session));
 
   add_stages(job.report(), arguments, stages);
-  add_reconstruction(job.report(), result, certificate);
+  add_reconstruction(job, result, certificate);
   job.say("{} ({}, {} not on the surface), {}", counted(result.points, "point"),
           counted(result.duplicates, "duplicate"), result.unused_points,
           counted(result.tetrahedra, "tetrahedron", "tetrahedra"));

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <type_traits>
 
 #include "app/arguments/surface_options.h"
+#include "app/command_line.h"
 #include "geom/angles.h"
 
 namespace cocoon::app {
@@ -186,6 +188,15 @@ void set_thresholds(StageOptions& options, const std::map<std::string, double>& 
     if (found == given.end()) continue;
     const double value = found->second;
     set_value(t.field(options), t.kind == angle ? std::cos(value * radians_per_degree) : value);
+  }
+}
+
+void require_order(const StageOptions& options) {
+  const CleanUpOptions& clean_up = options.surface.clean_up;
+  if (clean_up.near_pole_ratio > clean_up.full_pole_ratio) {
+    throw UsageError(fmt::format(
+        "--near-pole-ratio ({}) is above --full-pole-ratio ({}); lower it, or raise the other",
+        clean_up.near_pole_ratio, clean_up.full_pole_ratio));
   }
 }
 

@@ -69,6 +69,9 @@ void append_given(ThresholdUse use, const std::map<std::string, double>& given,
 // Sets those given, by name. Precondition: the names are among thresholds().
 void set_thresholds(StageOptions& options, const std::map<std::string, double>& given);
 
+// Throws UsageError if two that bound a range are in the wrong order.
+void require_order(const StageOptions& options);
+
 // Its value as people give it: angles in degrees.
 double told_value(const Threshold& threshold, StageOptions options);
 

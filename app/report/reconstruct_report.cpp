@@ -46,13 +46,16 @@ void add_clean_up_counters(JsonReport& report, const CleanUpCounters& c) {
   set("idle_after", c.idle_after);
 }
 
-void add_counters(JsonReport& report, const ReconstructCounters& c) {
+void add_counters(JsonReport& report, const ReconstructCounters& c, int threads) {
   const auto set = [&report](const char* name, std::size_t value) {
     report.set(std::string("counters/") + name, value);
   };
-  set("wide_inspheres", c.delaunay.wide_inspheres);
-  set("exact_inspheres", c.delaunay.exact_inspheres);
-  set("perturbed_inspheres", c.delaunay.perturbed_inspheres);
+  // How these go depends on how the threads meet, if there are several; a report does not.
+  if (threads == 1) {
+    set("wide_inspheres", c.delaunay.wide_inspheres);
+    set("exact_inspheres", c.delaunay.exact_inspheres);
+    set("perturbed_inspheres", c.delaunay.perturbed_inspheres);
+  }
   set("hull_vertices", c.hull_vertices);
   set("degenerate_poles", c.degenerate_poles);
   set("exact_centers", c.exact_centers);
@@ -119,15 +122,15 @@ std::string samples_said(const SampleDoubts& doubts, double rho, const SurfaceRe
 
 }  // namespace
 
-void add_reconstruction(JsonReport& report, const ReconstructResult& result,
-                        const MeshReport& certificate) {
+void add_reconstruction(Job& job, const ReconstructResult& result, const MeshReport& certificate) {
+  JsonReport& report = job.report();
   report.set("input/points", result.points);
   report.set("input/duplicates", result.duplicates);
   report.set("delaunay/points", result.vertices);
   report.set("delaunay/tetrahedra", result.tetrahedra);
   add_surface(report, result.mesh, certificate);
   report.set("surface/unused_points", result.unused_points);
-  add_counters(report, result.counters);
+  add_counters(report, result.counters, thread_count(job.execution()));
 }
 
 void add_noise(JsonReport& report, const NoiseCounters& noise) {

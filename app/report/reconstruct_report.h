@@ -12,8 +12,7 @@
 namespace cocoon::app {
 
 // The sections "input", "delaunay", "surface" and "counters" of the JSON report.
-void add_reconstruction(JsonReport& report, const ReconstructResult& result,
-                        const MeshReport& certificate);
+void add_reconstruction(Job& job, const ReconstructResult& result, const MeshReport& certificate);
 
 // The section "noise": what was left out before the reconstruction.
 void add_noise(JsonReport& report, const NoiseCounters& noise);

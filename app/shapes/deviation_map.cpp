@@ -57,11 +57,13 @@ double root_mean_square(std::span<const double> values) {
 
 using Channels = std::array<std::vector<std::uint8_t>, 3>;
 
-// White at 0, red from `full` on, blue from -full on.
+// White at 0, red from `full` on, blue from -full on; where that is 0, next to 0.
 Channels colors_of(std::span<const double> distances, double full) {
   Channels channels;
   for (const double distance : distances) {
-    const double share = full > 0 ? std::clamp(distance / full, -1.0, 1.0) : 0;
+    const double share = distance == 0 ? 0
+                         : full > 0    ? std::clamp(distance / full, -1.0, 1.0)
+                                       : std::copysign(1.0, distance);
     const auto faded = static_cast<std::uint8_t>(std::lround(255 * (1 - std::abs(share))));
     channels[0].push_back(share < 0 ? faded : 255);
     channels[1].push_back(faded);

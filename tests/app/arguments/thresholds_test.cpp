@@ -6,7 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <utility>
 #include <variant>
+
+#include "app/command_line.h"
 
 namespace cocoon::app {
 namespace {
@@ -65,6 +68,23 @@ TEST(Thresholds, OneThatIsGivenIsSetAndReportedAndNoOther) {
       }
     }
   }
+}
+
+// Whichever of the two is given.
+TEST(Thresholds, EndsOfARangeAreInOrder) {
+  for (const auto& [name, value] : {std::pair("full-pole-ratio", 0.5), {"near-pole-ratio", 3.0}}) {
+    StageOptions options;
+    set_thresholds(options, {{name, value}});
+    try {
+      require_order(options);
+      ADD_FAILURE() << name;
+    } catch (const UsageError& error) {
+      EXPECT_EQ(std::string(error.what()).find("--near-pole-ratio ("), 0U) << error.what();
+    }
+  }
+  StageOptions options;
+  set_thresholds(options, {{"near-pole-ratio", 3}, {"full-pole-ratio", 3}});
+  require_order(options);
 }
 
 TEST(Thresholds, GivenOnesAreNamedByUse) {

@@ -27,6 +27,28 @@ TEST(DeviationMap, ColorsAreThoseOfTheSurface) {
   EXPECT_EQ(full_color(a), expected);
 }
 
+// Where nothing is tolerated, what deviates has the full color.
+TEST(DeviationMap, WithoutToleranceWhatDeviatesIsRedOrBlue) {
+  const TemporaryFolder folder;
+  const TriangleMesh b = gallery::cube();
+  TriangleMesh a = b;
+  a.points[VertexId(7U)] = Point{1.5, 1.5, 1.5};
+  SharedArguments shared;
+  shared.quiet = true;
+  Job job("compare", shared);
+  write_deviation(job, a, b, {folder.file("map.ply"), {.ascii = true}, 0.0});
+  job.finish();
+  const std::string text = content_of(folder.file("map.ply"));
+  const auto count_of = [&](const std::string& color) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(color); at != std::string::npos; at = text.find(color, at + 1))
+      ++count;
+    return count;
+  };
+  EXPECT_EQ(count_of(" 255 255 255\n"), 7U) << text;
+  EXPECT_EQ(count_of(" 255 0 0\n") + count_of(" 0 0 255\n"), 1U) << text;
+}
+
 // As from points: without an element of faces.
 TEST(DeviationMap, OfACloudIsACloud) {
   const TemporaryFolder folder;
