@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "geom/arrays/large_pages.h"
+#include "geom/messages/without_control_bytes.h"
 #include "io/input_file.h"
 #include "io/mesh_file_options.h"
 
@@ -77,11 +78,7 @@ std::string_view text_of(const FileBytes& file) {
 }
 
 std::string display_name(const std::filesystem::path& path) {
-  std::string name = path.string();
-  for (char& c : name) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-  }
-  return name;
+  return without_control_bytes(path.string());
 }
 
 FileError file_error(const std::filesystem::path& path, const std::string& message) {

@@ -23,7 +23,7 @@ void require_overrides(const RegionOverrides& overrides, std::size_t num_regions
     for (const RegionId r : *regions) {
       if (r.index() < num_regions) continue;
       throw InputError("there is no group " + std::to_string(r.value) + "; they are 0 to " +
-                       std::to_string(num_regions - 1));
+                       std::to_string(num_regions - 1) + "; name one of these");
     }
   }
   for (const RegionId r : overrides.replaced) {

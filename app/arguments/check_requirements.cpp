@@ -34,18 +34,26 @@ std::string oriented_failure(const Certificate& c) {
   if (c.report.orientation_conflicts == 0) {
     return "edges with more than two triangles are not run through equally often both ways";
   }
-  return fmt::format("{} edges with two triangles in the same direction",
-                     c.report.orientation_conflicts);
+  return counted(c.report.orientation_conflicts, "edge with two triangles in the same direction",
+                 "edges with two triangles in the same direction");
+}
+
+std::string overfull_failure(const Certificate& c) {
+  return counted(c.report.overfull_edges, "edge with more than two triangles",
+                 "edges with more than two triangles");
+}
+
+std::string pinched_failure(const Certificate& c) {
+  return counted(c.report.pinched_vertices, "pinched vertex", "pinched vertices");
 }
 
 std::string manifold_failure(const Certificate& c) {
-  return fmt::format("{} edges with more than two triangles, {} pinched vertices",
-                     c.report.overfull_edges, c.report.pinched_vertices);
+  return overfull_failure(c) + ", " + pinched_failure(c);
 }
 
 std::string bad_triangles_failure(const Certificate& c) {
   return fmt::format(
-      "{} triangles with a repeated vertex, {} without area, {} duplicates, {} with fewer corners",
+      "triangles: {} with a repeated vertex, {} without area, {} repeated, {} with fewer corners",
       c.report.repeated_vertex_triangles + c.repeated_vertex_faces, c.report.zero_area_triangles,
       c.report.duplicate_triangles, c.short_faces);
 }
@@ -105,16 +113,16 @@ const Requirement requirements[] = {
     {"manifold",
      [](const Certificate& c) { return c.report.edge_manifold && c.report.vertex_manifold; },
      manifold_failure, at_contact},
-    {"edge-manifold", [](const Certificate& c) { return c.report.edge_manifold; }, manifold_failure,
+    {"edge-manifold", [](const Certificate& c) { return c.report.edge_manifold; }, overfull_failure,
      at_overfull_edge},
     {"vertex-manifold", [](const Certificate& c) { return c.report.vertex_manifold; },
-     manifold_failure, at_pinched_vertex},
+     pinched_failure, at_pinched_vertex},
     {"oriented", [](const Certificate& c) { return c.report.oriented; }, oriented_failure,
      at_conflict},
     {"orientable", [](const Certificate& c) { return c.report.orientable; },
      [](const Certificate&) { return std::string("a component is one-sided"); }},
     {"connected", [](const Certificate& c) { return c.report.components == 1; },
-     [](const Certificate& c) { return fmt::format("{} components", c.report.components); }},
+     [](const Certificate& c) { return counted(c.report.components, "component"); }},
     {"no-bad-triangles",
      [](const Certificate& c) {
        return c.report.repeated_vertex_triangles + c.repeated_vertex_faces + c.short_faces +

@@ -66,7 +66,8 @@ class ObjReader {
         const std::string_view found = fields.word();
         throw file_error(file_.path, line_,
                          "a vertex needs three numbers, found " +
-                             (found.empty() ? "the end of the line" : in_quotes(found)));
+                             (found.empty() ? "the end of the line" : in_quotes(found)) +
+                             "; correct this line");
       }
     }
     const Point point{xyz[0], xyz[1], xyz[2]};
@@ -81,9 +82,10 @@ class ObjReader {
       const char* end = at + corner.size();
       std::int64_t index = 0;
       if (!parse_integer(at, end, index) || (at != end && *at != '/') || index == 0) {
-        throw file_error(file_.path, line_,
-                         "a corner of a face is " + in_quotes(corner) +
-                             ", not i, i/t, i//n or i/t/n with indices from 1 or -1 on");
+        throw file_error(
+            file_.path, line_,
+            "a corner of a face is " + in_quotes(corner) +
+                ", not i, i/t, i//n or i/t/n with indices from 1 or -1 on; correct this line");
       }
       // Negative: counted back from the last vertex so far.
       soup_.corners.push_back(index > 0 ? index - 1

@@ -73,7 +73,9 @@ class OffReader {
     while (skip_word(text, "ST") || skip_word(text, "C") || skip_word(text, "N")) {
     }
     if (text.starts_with("4OFF") || text.starts_with("nOFF") || text.starts_with("4nOFF")) {
-      fail("4OFF and nOFF have other than three coordinates a vertex and are not read");
+      fail(
+          "4OFF and nOFF have other than three coordinates a vertex and are not read; "
+          "write the mesh as OFF");
     }
     const bool has_keyword = skip_word(text, "OFF");
     const char first = fields.rest().empty() ? ' ' : fields.rest().front();
@@ -90,7 +92,8 @@ class OffReader {
   std::size_t read_count(Fields& fields, const char* name) {
     std::int64_t count = 0;
     if (!fields.integer(count) || count < 0) {
-      fail(std::string("the number of ") + name + " is missing, negative or no number");
+      fail(std::string("the number of ") + name +
+           " is missing, negative or no number; correct this line");
     }
     // A line takes a character and its end (which the last one may lack).
     const auto wanted = static_cast<std::size_t>(count);
@@ -109,7 +112,9 @@ class OffReader {
       Fields fields = next_line("vertex", i, num_vertices_);
       double xyz[3];
       for (double& value : xyz) {
-        if (!fields.number(value)) fail("a vertex needs three numbers; found " + found(fields));
+        if (!fields.number(value)) {
+          fail("a vertex needs three numbers; found " + found(fields) + "; correct this line");
+        }
       }
       const Point point{xyz[0], xyz[1], xyz[2]};
       if (!is_finite(point)) soup_.non_finite.note(i, lines_.number());

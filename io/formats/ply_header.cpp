@@ -93,7 +93,9 @@ class HeaderReader {
     } else if (keyword == "property") {
       read_property(fields);
     } else {
-      fail("unknown word " + in_quotes(keyword) + " in the PLY header");
+      fail("unknown word " + in_quotes(keyword) +
+           " in the PLY header; correct this line, or end the header before it by "
+           "end_header");
     }
   }
 
@@ -109,7 +111,9 @@ class HeaderReader {
     } else {
       fail("unknown PLY format " + in_quotes(name));
     }
-    if (version != "1.0") fail("PLY version " + in_quotes(version) + " is not known, only 1.0 is");
+    if (version != "1.0")
+      fail("PLY version " + in_quotes(version) +
+           " is not known, only 1.0 is; write the file as that");
     if (format_seen_) fail("a second format line; the header is damaged");
     format_seen_ = true;
   }
@@ -120,7 +124,7 @@ class HeaderReader {
     element.line = line_;
     std::int64_t count = 0;
     if (!fields.integer(count) || count < 0) {
-      fail("an element needs a name and a count from 0 to 2^63 - 1");
+      fail("an element needs a name and a count from 0 to 2^63 - 1; correct this line");
     }
     element.count = static_cast<std::size_t>(count);
     header_.elements.push_back(std::move(element));
@@ -134,7 +138,7 @@ class HeaderReader {
       property.is_list = true;
       property.count_type = type_named(fields.word());
       if (property.count_type == PlyType::float32 || property.count_type == PlyType::float64) {
-        fail("the length of a list cannot have a floating-point type");
+        fail("the length of a list cannot have a floating-point type; use uchar or int");
       }
       type = fields.word();
     }
@@ -148,7 +152,7 @@ class HeaderReader {
     for (const auto& [known, type] : type_names) {
       if (name == known) return type;
     }
-    fail("unknown PLY type " + in_quotes(name));
+    fail("unknown PLY type " + in_quotes(name) + "; use char to uint, float or double");
   }
 
   // No element can be shorter than this, so no count can make a reader reserve more than the file

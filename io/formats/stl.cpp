@@ -281,7 +281,8 @@ PolygonSoup read_stl(const FileBytes& file) {
   throw file_error(file.path, "is no STL file, or damaged: as binary STL it announces " +
                                   std::to_string(announced) + " facets, which take " +
                                   std::to_string(header_bytes + facet_bytes * announced) +
-                                  " bytes, but has " + std::to_string(file.size));
+                                  " bytes, but has " + std::to_string(file.size) +
+                                  "; check the extension, or get a whole copy");
 }
 
 void write_stl(AtomicFile& file, const TriangleMesh& mesh, const MeshWriteOptions& options) {

@@ -218,7 +218,8 @@ class XyzReader {
            "; if the comma is a decimal comma, write a point instead");
     }
     if (columns.size() < 3) {
-      fail("a row needs three numbers x y z, this one has " + std::to_string(columns.size()));
+      fail("a row needs three numbers x y z, this one has " + std::to_string(columns.size()) +
+           "; correct or remove this line");
     }
     rows_are_counted_ = false;
     double xyz[3] = {};
@@ -263,7 +264,8 @@ class XyzReader {
       if (separators[column] == Separator::none && column < 2) {
         const bool may_be_count = column == 0 && cloud_.announced && !cloud_.points.empty();
         fail("a row needs three numbers x y z, this one has " + std::to_string(column + 1) +
-             (may_be_count ? "; split a file of several scans, each under its count" : ""));
+             (may_be_count ? "; split a file of several scans, each under its count"
+                           : "; correct or remove this line"));
       }
     }
     const bool mixed = separators[0] != separators[1] ||

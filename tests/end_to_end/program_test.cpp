@@ -216,7 +216,7 @@ TEST(Program, CheckCertifiesAndRequires) {
       folder.write("bad.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 1 1 2\n");
   EXPECT_EQ(report_of({"check", bad})["surface"]["repeated_vertex_triangles"], 1);
   expect_error(run_program({"check", bad, "--require", "no-bad-triangles", "--quiet"}), 1,
-               "bad.off: fails no-bad-triangles (1 triangles with a repeated vertex");
+               "bad.off: fails no-bad-triangles (triangles: 1 with a repeated vertex");
 }
 
 TEST(Program, CompareMeasuresBothDirections) {

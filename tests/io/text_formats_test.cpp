@@ -47,7 +47,7 @@ TEST_F(TextFormats, ObjCommentsOnLinesThatContinueOthers) {
 
 TEST_F(TextFormats, ObjNamesTheLineWhereAStatementBegins) {
   EXPECT_EQ(message("a.obj", "v 0 0 0\n\nv 0 \\\n1 \\\n\n"),
-            ":3: a vertex needs three numbers, found the end of the line");
+            ":3: a vertex needs three numbers, found the end of the line; correct this line");
   EXPECT_EQ(
       message("a.obj", "v 0 0 0\nf 1 1 -2\n"),
       ":2: face 0 has the corner -1 (both counted from 0), but there are 1 vertices; the file "
@@ -55,9 +55,9 @@ TEST_F(TextFormats, ObjNamesTheLineWhereAStatementBegins) {
   EXPECT_EQ(message("a.obj", "v 0 0 0\nv 0 inf 0\r\nv 0 0 0\n"),
             ":2: point 1 (counted from 0) has a coordinate that is not a finite number; remove or "
             "repair such points");
-  EXPECT_EQ(
-      message("a.obj", "v 0 0 0\nf 1 2x 3\n"),
-      ":2: a corner of a face is '2x', not i, i/t, i//n or i/t/n with indices from 1 or -1 on");
+  EXPECT_EQ(message("a.obj", "v 0 0 0\nf 1 2x 3\n"),
+            ":2: a corner of a face is '2x', not i, i/t, i//n or i/t/n with indices from 1 or -1 "
+            "on; correct this line");
 }
 
 TEST_F(TextFormats, ObjIsContinuedBeforeBlanksAtTheEndOfALine) {
@@ -104,7 +104,8 @@ TEST_F(TextFormats, OffCountsAreCheckedBeforeAnythingIsReserved) {
   EXPECT_EQ(message("a.off", "OFF\n1 1 0\n0 0 0\n2000000000 0\n"),
             ":4: a face of 2000000000 corners lacks one; found the end of the line");
   EXPECT_EQ(message("a.off", "nOFF\n4\n1 0 0\n0 0 0 0\n"),
-            ":1: 4OFF and nOFF have other than three coordinates a vertex and are not read");
+            ":1: 4OFF and nOFF have other than three coordinates a vertex and are not read; write "
+            "the mesh as OFF");
   EXPECT_EQ(message("a.off", "FOO\n"),
             ":1: is no OFF file: it begins with neither OFF nor a count; check the extension");
 }
@@ -189,7 +190,7 @@ TEST_F(TextFormats, BinaryStlThatBeginsWithSolidIsNoText) {
   damaged += std::string("\2\0\0\0", 4) + std::string(50, '\0');  // of two facets one
   EXPECT_EQ(message("a.stl", damaged),
             ": is no STL file, or damaged: as binary STL it announces 2 facets, which take 184 "
-            "bytes, but has 134");
+            "bytes, but has 134; check the extension, or get a whole copy");
 }
 
 // As long as they cannot be a facet that was not counted.
@@ -206,9 +207,14 @@ TEST_F(TextFormats, BytesBehindTheFacetsOfBinaryStlAreCounted) {
     EXPECT_EQ(report.trailing_bytes, behind);
   }
   const std::string refused = ": is no STL file, or damaged: as binary STL it announces ";
-  EXPECT_EQ(message("a.stl", one + facet), refused + "1 facets, which take 134 bytes, but has 184");
-  EXPECT_EQ(message("a.stl", header + std::string(4, '\0') + " "),
-            refused + "0 facets, which take 84 bytes, but has 85");
+  EXPECT_EQ(
+      message("a.stl", one + facet),
+      refused +
+          "1 facets, which take 134 bytes, but has 184; check the extension, or get a whole copy");
+  EXPECT_EQ(
+      message("a.stl", header + std::string(4, '\0') + " "),
+      refused +
+          "0 facets, which take 84 bytes, but has 85; check the extension, or get a whole copy");
 }
 
 TEST_F(TextFormats, BinaryStlOfWhatIsNotFiniteIsRefused) {

@@ -80,7 +80,7 @@ TEST(CheckRequirements, ClosedTellsOnlyOfOddEdges) {
 TEST(CheckRequirements, OrientedDoesNotCountOpenEdges) {
   EXPECT_EQ(failure("oriented", fan({true, false})), "");
   EXPECT_EQ(failure("oriented", fan({true, true})),
-            "not oriented (1 edges with two triangles in the same direction, as near (0, 0, 0))");
+            "not oriented (1 edge with two triangles in the same direction, as near (0, 0, 0))");
   EXPECT_EQ(failure("oriented", fan({true, true, false})),
             "not oriented (edges with more than two triangles are not run through equally often "
             "both ways)");
@@ -89,16 +89,20 @@ TEST(CheckRequirements, OrientedDoesNotCountOpenEdges) {
 TEST(CheckRequirements, ManifoldTellsWhere) {
   EXPECT_EQ(failure("manifold", fan({true, false})), "");
   EXPECT_EQ(failure("manifold", fan({true, false, true})),
-            "not manifold (1 edges with more than two triangles, 2 pinched vertices, as near "
+            "not manifold (1 edge with more than two triangles, 2 pinched vertices, as near "
             "(0, 0, 0))");
   TriangleMesh pinched = fan({true});
   pinched.points.push_back({5, 5, 5});
   pinched.points.push_back({5, 6, 5});
   pinched.triangles.push_back({VertexId(1), VertexId(3), VertexId(4)});
   EXPECT_EQ(failure("manifold", pinched),
-            "not manifold (0 edges with more than two triangles, 1 pinched vertices, as near "
+            "not manifold (0 edges with more than two triangles, 1 pinched vertex, as near "
             "(0, 0, 1))");
   EXPECT_EQ(failure("edge-manifold", pinched), "");
+  EXPECT_EQ(failure("vertex-manifold", pinched),
+            "not vertex-manifold (1 pinched vertex, as near (0, 0, 1))");
+  EXPECT_EQ(failure("edge-manifold", fan({true, false, true})),
+            "not edge-manifold (1 edge with more than two triangles, as near (0, 0, 0))");
 }
 
 TEST(CheckRequirements, PartsAndUnusedVerticesAreCounted) {
@@ -120,13 +124,13 @@ TEST(CheckRequirements, PartsAndUnusedVerticesAreCounted) {
 TEST(CheckRequirements, BadTrianglesOfTheFileCount) {
   EXPECT_EQ(failure("no-bad-triangles", fan({true})), "");
   EXPECT_EQ(failure("no-bad-triangles", fan({true}), 2),
-            "fails no-bad-triangles (2 triangles with a repeated vertex, 0 without area, 0 "
-            "duplicates, 0 with fewer corners)");
+            "fails no-bad-triangles (triangles: 2 with a repeated vertex, 0 without area, 0 "
+            "repeated, 0 with fewer corners)");
   TriangleMesh twice = fan({true});
   twice.triangles.push_back(twice.triangles[TriangleId(0)]);
   EXPECT_EQ(failure("no-bad-triangles", twice),
-            "fails no-bad-triangles (0 triangles with a repeated vertex, 0 without area, 1 "
-            "duplicates, 0 with fewer corners, as near (0, 0, 0))");
+            "fails no-bad-triangles (triangles: 0 with a repeated vertex, 0 without area, 1 "
+            "repeated, 0 with fewer corners, as near (0, 0, 0))");
 }
 
 TEST(CheckRequirements, CrossingTrianglesHaveAPlace) {

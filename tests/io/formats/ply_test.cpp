@@ -202,9 +202,9 @@ TEST(Ply, RefusesWhatIsAmbiguousOrDamaged) {
   EXPECT_EQ(message("ply\nformat ascii 1.0\nproperty int x\nend_header\n"),
             ":3: a property before the first element");
   EXPECT_EQ(message("ply\nformat ascii 1.0\nelement\nend_header\n"),
-            ":3: an element needs a name and a count from 0 to 2^63 - 1");
+            ":3: an element needs a name and a count from 0 to 2^63 - 1; correct this line");
   EXPECT_EQ(message("ply\nformat ascii 1.0\nelement 1\nend_header\n"),
-            ":3: an element needs a name and a count from 0 to 2^63 - 1");
+            ":3: an element needs a name and a count from 0 to 2^63 - 1; correct this line");
   EXPECT_EQ(message(" ply\nformat ascii 1.0\nend_header\n"),
             ":1: is no PLY file: its first line is not 'ply'; check the extension");
 }

@@ -110,7 +110,8 @@ TEST_F(Xyz, ValuesMayBeInQuotes) {
     EXPECT_EQ(read(content).points, two) << content;
   }
   EXPECT_EQ(message("x,y,z\n\"1,5\",\"2\",\"3\"\n"), not_decimal(2, 1, "'1,5'"));
-  EXPECT_EQ(message("\"1\",\"2\"\n"), ":1: a row needs three numbers x y z, this one has 2");
+  EXPECT_EQ(message("\"1\",\"2\"\n"),
+            ":1: a row needs three numbers x y z, this one has 2; correct or remove this line");
   EXPECT_EQ(message("\"1\",\"2\",\"3\"\n\"1\",\"2\",\"3\",\"4\"\n"),
             ":2: has 4 columns, but earlier lines have 3; if the comma is a decimal comma, write a "
             "point instead");
@@ -246,9 +247,12 @@ TEST_F(Xyz, RefusesWhatItCannotBeSureOf) {
             ":3: has 3 columns, but the header names 4; " + decimal_comma);
   EXPECT_EQ(message("# c\n3\n1 2 3\n4 5 6\n"),
             ":2: announces 3 points, but 2 follow; the file is cut off");
-  EXPECT_EQ(message("1 2 3\n4 5\n"), ":2: a row needs three numbers x y z, this one has 2");
-  EXPECT_EQ(message("1 2 3\n7\n4 5 6\n"), ":2: a row needs three numbers x y z, this one has 1");
-  EXPECT_EQ(message("2\n7\n4 5 6\n"), ":2: a row needs three numbers x y z, this one has 1");
+  EXPECT_EQ(message("1 2 3\n4 5\n"),
+            ":2: a row needs three numbers x y z, this one has 2; correct or remove this line");
+  EXPECT_EQ(message("1 2 3\n7\n4 5 6\n"),
+            ":2: a row needs three numbers x y z, this one has 1; correct or remove this line");
+  EXPECT_EQ(message("2\n7\n4 5 6\n"),
+            ":2: a row needs three numbers x y z, this one has 1; correct or remove this line");
   EXPECT_EQ(message("2\n\nC 1 2 3\n"), not_decimal(3, 1, "'C'"));
   EXPECT_EQ(message("1 2 3\n1 0x1 3\n"), not_decimal(2, 2, "'0x1'"));
   EXPECT_EQ(message("1 2 3\n1,,3\n"), not_decimal(2, 2, "''"));
