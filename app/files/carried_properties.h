@@ -26,10 +26,10 @@ VertexProperties carried_properties(Job& job, std::span<const VertexProperties> 
 // have those of the nearest vertex. Complexity: O(n log n), if there are any properties.
 VertexProperties properties_of_samples(const VertexProperties& table, Points samples);
 
-// Of each vertex of a surface the row in a table of its points.
+// Of each vertex of a surface the row in a table of its points. Complexity: O(vertices).
 std::vector<RowOrigin> rows_of(const ReconstructResult& surface);
 
-// carried_properties for a surface of the points of one file.
+// carried_properties for a surface of the points of one file. Errors and complexity: the same.
 VertexProperties properties_of_surface(Job& job, const VertexProperties& table,
                                        const std::string& name, const ReconstructResult& surface);
 

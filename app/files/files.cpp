@@ -270,6 +270,14 @@ std::vector<Point> read_cloud(Job& job, const std::string& path, const std::stri
   return std::move(cloud.points);
 }
 
+void warn_of_left_out_faces(Job& job, const std::string& path, const std::string& section,
+                            std::size_t before, std::size_t more) {
+  if (more == 0) return;
+  job.report().set(section + "/faces_left_out", before + more);
+  job.warn(fmt::format("{}: {} left out", path,
+                       counted(more, "face without area was", "faces without area were")));
+}
+
 Shape read_shape(Job& job, const std::string& path, const std::string& section,
                  VertexProperties* properties) {
   MeshReadReport read;
@@ -288,12 +296,7 @@ Shape read_shape(Job& job, const std::string& path, const std::string& section,
   warn_of_skipped(job, path, section, read.skipped.size());
   job.report().set(section + "/faces", read.faces);
   if (read.polygons > 0) job.report().set(section + "/polygons_cut", read.polygons);
-  const std::size_t left_out = read.left_out();
-  if (left_out > 0) {
-    job.report().set(section + "/faces_left_out", left_out);
-    job.warn(fmt::format("{}: {} left out", path,
-                         counted(left_out, "face without area was", "faces without area were")));
-  }
+  warn_of_left_out_faces(job, path, section, 0, read.left_out());
   warn_of_surplus_lines(job, path, section, read.surplus_lines, read.first_surplus_line);
   warn_of_trailing_bytes(job, path, section, read.trailing_bytes);
   return {std::move(mesh), std::move(read)};

@@ -61,6 +61,11 @@ std::vector<Point> read_cloud(Job& job, const std::string& path, const std::stri
                               VertexProperties* properties = nullptr, std::size_t* faces = nullptr,
                               std::vector<std::size_t>* skipped = nullptr);
 
+// Tells of faces that are left out, as they have no area; `before`: of those of the file that the
+// user was told of before.
+void warn_of_left_out_faces(Job& job, const std::string& path, const std::string& section,
+                            std::size_t before, std::size_t more);
+
 struct Shape {
   TriangleMesh mesh;
   MeshReadReport read;

@@ -55,6 +55,7 @@ ModelFile read_model(Job& job, const std::string& path, const std::string& secti
       "{}: {} at the place of another one taken as one with it, since triangles do not share "
       "vertices there",
       path, counted(welded.welded, "vertex", "vertices"));
+  warn_of_left_out_faces(job, path, section, shape.read.left_out(), welded.left_out_triangles);
   if (properties != nullptr) {
     std::vector<RowOrigin> origins;
     for (const VertexId source : welded.source) origins.push_back({0, source.index()});

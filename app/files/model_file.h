@@ -20,7 +20,8 @@ struct ModelFile {
 // Reads it as read_shape (app/files/files.h). Where the mesh is open only because its triangles do
 // not share vertices, as some programs write them, vertices at equal places are taken as one, as
 // those of STL files are: if that leaves fewer open edges. The summary says so, and the section's
-// "welded_vertices" counts them; of their properties those of the first are kept.
+// "welded_vertices" counts them, "faces_left_out" triangles that vanish by it; of their properties
+// those of the first are kept.
 // Complexity: O(v) without equal places, else as mesh_check.
 ModelFile read_model(Job& job, const std::string& path, const std::string& section,
                      VertexProperties* properties = nullptr);
