@@ -58,7 +58,7 @@ bool is_coarse(const UpdateInput& input, const UpdateOutcome& outcome,
                const CoarseModelOptions& coarse) {
   if (outcome.update.result.status == UpdateStatus::ok) {
     const LostSurface& lost = outcome.lost;
-    return (lost.warns && lost.is_coarse) || lost.large_share > AstrayOptions().min_coarse_share;
+    return (lost.warns && lost.is_coarse) || lost.large_share > coarse.lost.min_coarse_share;
   }
   return has_large_triangles(input, coarse.min_large_share_if_refused, coarse);
 }
@@ -126,13 +126,13 @@ KeptAreas kept_areas(const UpdateInput& input, const UpdateOutcome& outcome,
 
 // Whether by the update of the dense model, which is ok, less is lost and made up.
 bool is_better(const KeptAreas& areas, bool first_is_ok, const CoarseModelOptions& coarse) {
-  const AstrayOptions astray;
   if (!first_is_ok) {
-    return areas.neither + areas.made_up_by_dense <= astray.min_area_share * areas.all;
+    return areas.neither + areas.made_up_by_dense <= coarse.lost.min_area_share * areas.all;
   }
   const double better = areas.only_dense + areas.made_up_by_first;
   const double worse = areas.only_first + areas.made_up_by_dense;
-  return better > astray.min_coarse_share * areas.all && worse <= coarse.max_given_up * better;
+  return areas.all > 0 && better > coarse.lost.min_coarse_share * areas.all &&
+         worse <= coarse.max_given_up * better;
 }
 
 // What the first would have lost and made up, or why it is no use, for the report and the user.

@@ -23,6 +23,8 @@ struct CoarseModelOptions {
   double neighbor_share = 0.5;
   // Samples are as far apart as those of the scans, but no more than about so many: 20 s of work.
   double most_samples = 5e5;
+  // How much has to be lost, so that it is worth the time, and at most.
+  LostSurfaceOptions lost = {};
   // Taken if what it alone loses or makes up is at most this part of what the first alone does.
   double max_given_up = 0.5;
 };
@@ -43,9 +45,9 @@ UpdateOutcome updated_dense_enough(Job& job, UpdateInput& input, const UpdateOpt
                                    const CoarseModelOptions& coarse = {});
 
 // For an update that is yet to come, of a session or with regions that are said to go or stay:
-// makes the model dense if updated_dense_enough would, in as many words; not if few of its
-// triangles are large (min_large_share), which is known without an update. Returns what became of a
-// trial that was not taken (LostSurface::tried). Throws Cancelled.
+// makes the model dense if updated_dense_enough would, and tells the user the same; not if few of
+// its triangles are large (min_large_share), which is known without an update. Returns what became
+// of a trial that was not taken (LostSurface::tried). Throws as `updated`.
 std::string make_dense_enough(Job& job, UpdateInput& input, const UpdateOptions& options,
                               const CoarseModelOptions& coarse = {});
 

@@ -1,5 +1,5 @@
 // What the user asked for, as plain data. The only code that knows CLI11 is command_line.cpp,
-// command_options.h and option_values.h.
+// command_options.* and option_values.*.
 #pragma once
 
 #include <cstddef>

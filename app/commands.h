@@ -1,5 +1,6 @@
 // The commands of the program, one source file each: command_<name>.cpp. A command throws the
-// library's errors for what cannot be done (exit code 1) and returns when done (exit code 0).
+// library's errors for what cannot be done (exit code 1), UsageError for arguments that contradict
+// each other or the files that they name (exit code 2), and returns when done (exit code 0).
 #pragma once
 
 #include "app/command_line.h"

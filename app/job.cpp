@@ -7,6 +7,7 @@
 #include "app/console/standard_streams.h"
 #include "app/files/files.h"
 #include "geom/messages/counted.h"
+#include "geom/messages/without_control_bytes.h"
 #include "io/file_format.h"
 
 namespace cocoon::app {

@@ -20,6 +20,7 @@
 #include "geom/signed_distance.h"
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
+#include "update/report/update_messages.h"
 #include "update/report/vertex_origins.h"
 
 namespace cocoon::app {
@@ -112,9 +113,8 @@ void add_surface_of(const UpdateSession& session, UpdateResult& result) {
 
 // The program has an option for what this message advises.
 std::string with_option_names(std::string message) {
-  const std::string said = "say which of them goes";
-  const std::size_t at = message.find(said);
-  if (at != std::string::npos) message.insert(at + said.size(), " by --replace-groups");
+  const std::size_t at = message.find(advice_of_groups);
+  if (at != std::string::npos) message.insert(at + advice_of_groups.size(), " by --replace-groups");
   return message;
 }
 

@@ -28,17 +28,21 @@ ReconstructResult tight_surface(const ReconstructInput& input, const DelaunayCou
 
 }  // namespace
 
-ReconstructOptions effective_options(ReconstructOptions options) {
-  require_options("reconstruct", options.cocone);
-  require_options("reconstruct", options.boundary);
-  require_options("reconstruct", options.prune);
-  require_options("reconstruct", options.good_vertices);
-  require_options("reconstruct", options.clean_up);
-  require_shares("reconstruct",
+void require_options(const char* stage, const ReconstructOptions& options) {
+  require_options(stage, options.cocone);
+  require_options(stage, options.boundary);
+  require_options(stage, options.prune);
+  require_options(stage, options.good_vertices);
+  require_options(stage, options.clean_up);
+  require_shares(stage,
                  {{"max_contradicted_likely", options.max_contradicted_likely},
                   {"second_look.max_conflict_share", options.second_look.max_conflict_share}});
-  require_amounts("reconstruct",
+  require_amounts(stage,
                   {{"second_look.max_poor_per_sample", options.second_look.max_poor_per_sample}});
+}
+
+ReconstructOptions effective_options(ReconstructOptions options) {
+  require_options("reconstruct", options);
   if (options.mode == Mode::paper) {
     options.boundary.radius_mode = RadiusMode::cocone;
     options.peel.deferred_seeding = false;

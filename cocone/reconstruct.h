@@ -68,9 +68,12 @@ struct ReconstructOptions {
   bool verify = false;
 };
 
+// Throws InputError for options of the stages that are out of range (inputs/stage_inputs.h); the
+// message begins with the stage. O(1).
+void require_options(const char* stage, const ReconstructOptions& options);
+
 // What the stages get: in mode paper some options are as published, whatever they say. Throws
-// InputError for options of the stages that are out of range (inputs/stage_inputs.h), so all that
-// take these options do.
+// InputError as require_options(), so all that take these options do.
 ReconstructOptions effective_options(ReconstructOptions options);
 
 // For clouds whose surface has a rim (a scan from one side, the added cloud of an update):

@@ -60,7 +60,7 @@ struct RobustResult {
   NoiseCounters noise;
 };
 
-// robust_samples, then reconstruct_tight of what is kept.
+// robust_samples, then reconstruct_tight of what is kept. Errors, complexity and source: theirs.
 RobustResult reconstruct_robust(Points points, const NoiseOptions& noise = {},
                                 const ReconstructOptions& options = {},
                                 const Execution& execution = {});

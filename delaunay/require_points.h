@@ -1,4 +1,5 @@
-// What points must be like so that they have a triangulation.
+// What points must be like so that they have a triangulation. Complexity: O(n) for require_finite,
+// else O(1).
 #pragma once
 
 #include <cstddef>

@@ -20,19 +20,19 @@ struct ChoiceOptions {
   // does not take part in the loop's midpoint.
   double min_edge_share = 0.1;
   // Regions of a loop whose means are closer to each other than this cannot be told apart.
-  double ambiguous_margin = 1.0 * std::numbers::pi / 180;
+  double ambiguous_margin = 1.0 * radians_per_degree;
   // Below this margin the choice is made and `narrow` counts it.
-  double narrow_margin = 30.0 * std::numbers::pi / 180;
+  double narrow_margin = 30.0 * radians_per_degree;
   // If all regions of a loop have larger means than this, the model turns away from the cloud on
   // both sides of it: the scan ends before it meets the model, and the smallest mean tells nothing.
   // pi: it always does, as in the paper. Of 336 rims that were right 53 degrees was the largest
   // mean under the cloud, 92 where clouds were out of register.
-  double turned_away = 100.0 * std::numbers::pi / 180;
+  double turned_away = 100.0 * radians_per_degree;
   // If samples do not tell then, angles do after all, provided that each region outside has a mean
   // larger than each one under the cloud by at least this (under_by_sure_angles()). Of 235 rims
   // from which the model turned away, and whose samples told, none had the larger mean under the
   // cloud by more than 33 degrees.
-  double sure_margin = 40.0 * std::numbers::pi / 180;
+  double sure_margin = 40.0 * radians_per_degree;
 };
 
 enum class ChoiceStatus {

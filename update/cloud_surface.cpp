@@ -9,6 +9,7 @@
 #include "cocone/poles.h"
 #include "cocone/surface_mesh.h"
 #include "delaunay/voronoi_dual.h"
+#include "geom/arrays/points_of.h"
 #include "geom/errors.h"
 #include "geom/off_plane.h"
 #include "geom/search/thin_points.h"
@@ -142,9 +143,7 @@ Trial find_rim(const KeptSamples& samples, Sheet&& found, const RimSearch& searc
 std::optional<KeptSamples> thinned(const KeptSamples& all, std::vector<PointId> kept,
                                    const CloudSurfaceOptions& options, const Execution& execution) {
   KeptSamples samples{all.cloud, {}, std::move(kept), all.duplicates};
-  std::vector<Point> points;
-  points.reserve(samples.kept.size());
-  for (const PointId p : samples.kept) points.push_back(samples.cloud[p.index()]);
+  const std::vector<Point> points = points_of(samples.cloud, samples.kept);
   try {
     samples.foundation = lay_foundation(points, options.reconstruct, execution);
   } catch (const DegenerateInput&) {

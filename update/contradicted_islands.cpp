@@ -106,7 +106,7 @@ IdVector<RegionId, std::vector<Point>> contradicted_places(const ModelIndex& mod
                                                            const IslandOptions& options) {
   IdVector<RegionId, std::vector<Point>> places(regions.regions.size());
   const std::vector<OffSample> off =
-      off_samples(model, scan.samples, outward, options.off_model * scan.spacing);
+      outward_samples_off_model(model, scan.samples, outward, options.off_model * scan.spacing);
   if (off.size() < options.min_samples) return places;
   const std::vector<Over> over =
       without_sheltered(samples_over(model, regions, islands, off, options.min_normal_cosine),

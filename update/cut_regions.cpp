@@ -239,16 +239,14 @@ std::vector<TriangleId> disproved_off_border(const ModelIndex& model, const Tria
   TriangleSet settled = cut.under;
   for (const TriangleId t : settled.ids()) settled[t] |= border[t];
   std::vector<TriangleId> disproved;
-  double spacing = 0;  // the largest
   for (std::size_t k = 0; k < scans.size(); ++k) {
     const std::vector<TriangleId> more =
         disproved_facets(model, scans[k], outward(k), settled, options);
     disproved.insert(disproved.end(), more.begin(), more.end());
-    spacing = std::max(spacing, scans[k].spacing);
   }
   make_set(disproved);
-  spread_on_islands(model, std::move(settled), options.island_reach * spacing, options.island_share,
-                    disproved);
+  spread_on_islands(model, std::move(settled), options.island_reach * largest_spacing(scans),
+                    options.island_share, disproved);
   std::erase_if(disproved, [&](TriangleId t) { return border[t] != 0; });
   return disproved;
 }

@@ -26,7 +26,7 @@ class Gaze {
   // Of those that are off the model, with a normal each.
   std::vector<Disproof> disproofs_by(Points samples, std::span<const Outward> outward) {
     const std::vector<OffSample> off =
-        off_samples(model_, samples, outward, options_.off_model * scan_.spacing);
+        outward_samples_off_model(model_, samples, outward, options_.off_model * scan_.spacing);
     if (off.empty()) return {};
     if (!tree_) tree_.emplace(scan_.samples);
     std::vector<Point> places;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geom/arrays/disjoint_sets.h"
+#include "geom/arrays/points_of.h"
 #include "geom/box.h"
 #include "geom/search/equal_points.h"
 #include "geom/search/nearest_point.h"
@@ -169,9 +170,7 @@ std::vector<CloudSurface> joined_cloud_surfaces(Points points, const JoinedCloud
                                                 const CloudSurfaceOptions& options,
                                                 const Execution& execution) {
   if (cloud.sheet.empty()) return ranked_cloud_surfaces(points, options, execution);
-  std::vector<Point> samples;
-  samples.reserve(cloud.sheet.size());
-  for (const PointId p : cloud.sheet) samples.push_back(points[p.index()]);
+  const std::vector<Point> samples = points_of(points, cloud.sheet);
   std::vector<CloudSurface> surfaces = ranked_cloud_surfaces(samples, options, execution);
   for (CloudSurface& surface : surfaces) {
     for (PointId& p : surface.point_of_vertex) p = cloud.sheet[p.index()];

@@ -418,7 +418,7 @@ void excuse_covered_points(std::span<const CloudRim> rims,
 
 Overlap overlapping_facets(const TriangleMesh& model, const CloudRim& rim,
                            const OverlapOptions& options, const Execution& execution) {
-  return overlapping_facets(ModelIndex(model), rim, options, execution);
+  return overlapping_facets(ModelIndex(model, execution), rim, options, execution);
 }
 
 }  // namespace cocoon

@@ -130,7 +130,7 @@ struct Overlap {
 Overlap overlapping_facets(const ModelIndex& model, const CloudRim& rim,
                            const OverlapOptions& options = {}, const Execution& execution = {});
 
-// Overload for a mesh without an index: builds the ModelIndex first, O(model log(model)).
+// Overload for a mesh without an index: builds the ModelIndex first, O(t + v).
 Overlap overlapping_facets(const TriangleMesh& model, const CloudRim& rim,
                            const OverlapOptions& options = {}, const Execution& execution = {});
 

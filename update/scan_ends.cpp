@@ -54,7 +54,7 @@ void leave_out_changes(const ModelIndex& model, const Scan& scan, const ScanEndO
   const double off_model = options.off_model * scan.spacing;
   const std::vector<Point> asked = points_near(scan.samples, centroids(model, ends), around);
   if (asked.empty()) return;
-  const std::vector<Point> off = samples_off(model, asked, off_model, scan.shift);
+  const std::vector<Point> off = samples_off_model(model, asked, off_model, scan.shift);
   if (off.empty()) return;
   const NearestPointTree changed(off);
   std::erase_if(ends, [&](TriangleId t) { return changed.any_near(model.centroid(t), around); });

@@ -75,7 +75,7 @@ void group_vertices(const ModelIndex& model, Neighbors neighbors, Regions& resul
   for (Region& region : result.regions) region.vertices = 0;
   std::size_t others = 0;
   visit_where(
-      model.uses_all_vertices() ? 0 : mesh.points.size(),
+      model.is_known_smooth() ? 0 : mesh.points.size(),
       [&](std::size_t i) { return !model.is_used(VertexId(i)); },
       [&](std::size_t i) {
         result.group_of_vertex.set(VertexId(i), RegionId());
@@ -94,7 +94,7 @@ void group_vertices(const ModelIndex& model, Neighbors neighbors, Regions& resul
       ++(group.is_none() ? result.border_vertices : result.regions[group].vertices);
     }
   };
-  const bool is_known = neighbors == Neighbors::behind_border && model.has_one_fan_at_each_vertex();
+  const bool is_known = neighbors == Neighbors::behind_border && model.is_known_smooth();
   result.region_of_facet.visit_where([](RegionId r) { return r.is_none(); },
                                      [&](TriangleId t) { look_at(t, false); });
   result.region_of_facet.visit_where([&](RegionId r) { return r != largest && !r.is_none(); },
@@ -125,7 +125,7 @@ Regions segment_model(const ModelIndex& model, const TriangleSet& border,
 
 Regions segment_model(const TriangleMesh& model, const TriangleSet& border,
                       const SegmentOptions& options, const Execution& execution) {
-  return segment_model(ModelIndex(model), border, options, execution);
+  return segment_model(ModelIndex(model, execution), border, options, execution);
 }
 
 void count_and_group(const ModelIndex& model, Regions& regions) {

@@ -45,7 +45,7 @@ struct Regions {
 Regions segment_model(const ModelIndex& model, const TriangleSet& border,
                       const SegmentOptions& options = {}, const Execution& execution = {});
 
-// The same on a mesh alone: computes its index first.
+// Overload for a mesh without an index: builds the ModelIndex first, O(t + v).
 Regions segment_model(const TriangleMesh& model, const TriangleSet& border,
                       const SegmentOptions& options = {}, const Execution& execution = {});
 

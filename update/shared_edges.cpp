@@ -33,8 +33,8 @@ std::vector<PlaceBeyond> places_in(const Box& box, const CloudRim& rim, double s
   return found;
 }
 
-std::vector<Point> samples_near(Points cloud, const std::vector<PlaceBeyond>& places,
-                                double reach) {
+std::vector<Point> samples_near_places(Points cloud, const std::vector<PlaceBeyond>& places,
+                                       double reach) {
   std::vector<Point> centers;
   centers.reserve(places.size());
   for (const PlaceBeyond& p : places) centers.push_back(p.place);
@@ -57,7 +57,7 @@ std::vector<std::size_t> mark_shared_edges(std::size_t c, std::span<const Scan> 
     box.enlarge(reach);
     const std::vector<PlaceBeyond> places = places_in(box, rim, step);
     if (places.empty()) continue;
-    const std::vector<Point> samples = samples_near(scan.samples, places, reach);
+    const std::vector<Point> samples = samples_near_places(scan.samples, places, reach);
     if (samples.empty()) continue;
     const NearestPointTree tree(samples);
     bool shares = false;

@@ -30,9 +30,7 @@ void require_options(const char* stage, const AstrayOptions& options) {
                           {"astray.reach", options.reach},
                           {"astray.coarse_ratio", options.coarse_ratio}});
   require_number(stage, "astray.most_parts", static_cast<double>(options.most_parts), 1, 100);
-  require_shares(stage, {{"astray.min_area_share", options.min_area_share},
-                         {"astray.min_coarse_share", options.min_coarse_share},
-                         {"astray.min_extent_share", options.min_extent_share}});
+  require_shares(stage, {{"astray.min_extent_share", options.min_extent_share}});
 }
 
 void require_options(const char* stage, const ChoiceOptions& options) {
@@ -264,8 +262,8 @@ void require_options(const char* stage, const WallEdgeOptions& options) {
 }
 
 void require_options(const char* stage, const UpdateOptions& options) {
-  effective_options(options.reconstruct);
-  effective_options(options.cloud.reconstruct);
+  require_options(stage, options.reconstruct);
+  require_options(stage, options.cloud.reconstruct);
   require_options(stage, options.join);
   require_options(stage, options.cloud);
   require_options(stage, options.pin_holes);

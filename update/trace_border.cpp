@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geom/closest_on_segment.h"
 #include "geom/messages/require_size.h"
 
 namespace cocoon {
@@ -100,13 +101,6 @@ bool walk(const ModelIndex& model, const Span& span, std::size_t max_facets,
   return false;
 }
 
-double distance_from_segment(const Point& p, const Point& a, const Point& b) {
-  const Vec3 segment = b - a;
-  const double length = squared_norm(segment);
-  const double t = length > 0 ? std::clamp(dot(p - a, segment) / length, 0.0, 1.0) : 0.0;
-  return distance(p, a + t * segment);
-}
-
 // Shortest path over neighboring facets (Dijkstra); false if there is none within the limit.
 bool search(const ModelIndex& model, const Span& span, std::size_t max_facets,
             std::vector<TriangleId>& path) {
@@ -138,8 +132,9 @@ bool search(const ModelIndex& model, const Span& span, std::size_t max_facets,
     for (const TriangleId next : model.neighbors()[t]) {
       if (next.is_none()) continue;
       const Point next_center = model.centroid(next);
-      const double next_cost = cost + distance(center, next_center) +
-                               2 * distance_from_segment(next_center, span.from_foot, span.to_foot);
+      const double next_cost =
+          cost + distance(center, next_center) +
+          2 * distance(next_center, closest_on_segment(next_center, span.from_foot, span.to_foot));
       const auto [entry, is_new] = reached.try_emplace(next, Reached{next_cost, t});
       if (!is_new && (entry->second.done || entry->second.cost <= next_cost)) continue;
       entry->second = {next_cost, t};

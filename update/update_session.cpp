@@ -157,7 +157,7 @@ const ModelIndex& UpdateSession::index(const Execution& execution) {
   const bool smooth = is_smooth();
   if (!index_ && !smooth) return index_.emplace(model_, execution);
   if (!index_) return index_.emplace(ModelIndex::of_smooth(model_, execution));
-  if (smooth && !index_->can_edit()) index_->prepare_for_edits();
+  if (smooth && !index_->is_known_smooth()) index_->prepare_for_edits();
   return *index_;
 }
 
@@ -317,7 +317,7 @@ MeshChange UpdateSession::carry_out(const MeshEdit& edit, std::vector<Point> poi
   change.triangle_map = places_after(edit.triangles, model_.triangles.size());
   model_.points = IdVector<VertexId, Point>(std::move(points));
   edit_triangles(model_.triangles, edit, vertex_map);
-  if (index_ && index_->can_edit()) {
+  if (index_ && index_->is_known_smooth()) {
     index_->edit({edit.vertices, edit.triangles, change.triangle_map});
   } else {
     index_.reset();

@@ -33,12 +33,6 @@ void open_standard_streams() {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-std::string without_control_bytes(std::string line) {
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
-  std::replace_if(line.begin(), line.end(), is_control, '?');
-  return line;
-}
-
 bool is_standard_output(const std::string& path) {
   struct stat of_path = {};
   struct stat of_output = {};

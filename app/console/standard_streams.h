@@ -12,9 +12,6 @@ namespace cocoon::app {
 // Call it first of all.
 void open_standard_streams();
 
-// The line as a terminal may get it, whatever names of files it holds: control bytes are '?'.
-std::string without_control_bytes(std::string line);
-
 // Whether what is written to a file of this name goes where standard output goes: /dev/stdout,
 // links to it, the file or the pipe that it was redirected to.
 bool is_standard_output(const std::string& path);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/report/report_template.h"
+#include "geom/box.h"
 #include "io/encoding/base64.h"
 
 namespace cocoon::app {
@@ -67,17 +68,6 @@ std::string packed(const std::vector<std::uint32_t>& numbers) {
   return base64_of(bytes);
 }
 
-Point center_of(const std::vector<Point>& points) {
-  if (points.empty()) return {};
-  Point low = points.front();
-  Point high = low;
-  for (const Point& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return low + 0.5 * (high - low);
-}
-
 const char* name_of(PageGeometry::Kind kind) {
   switch (kind) {
     case PageGeometry::Kind::triangles:
@@ -96,7 +86,7 @@ void set_labels(JsonReport& data, const PageLabels& labels) {
 }
 
 void add_points(const PagePoints& points, JsonReport& data) {
-  const Point origin = center_of(points.positions);
+  const Point origin = box_of(points.positions).center();
   data.set("origin", std::vector<double>{origin.x, origin.y, origin.z});
   double reach = 0;
   for (const Point& p : points.positions) reach = std::max(reach, max_norm(p - origin));

@@ -50,12 +50,13 @@ std::vector<TriangleId> large_new(const TriangleMesh& updated, const MeshChange&
 
 // LostSurface::large_share. Of most models no triangle is that large.
 double large_share_of(const TriangleMesh& model, const TriangleMesh& updated,
-                      const SessionUpdate& update, std::span<const Scan> scans) {
-  const double large = large_side(scans);
+                      const SessionUpdate& update, std::span<const Scan> scans,
+                      const AstrayOptions& options) {
+  const double large = large_side(scans, options);
   const std::vector<TriangleId> lost = large_lost(model, update, large);
   const std::vector<TriangleId> added = large_new(updated, update.change, large);
   if (lost.empty() && added.empty()) return 0;
-  const UnscannedPlaces places(scans);
+  const UnscannedPlaces places(scans, options);
   const double area = places.area_off(places.of(model, lost), updated) +
                       places.area_off(places.of(updated, added), model);
   return area > 0 ? area / TrianglesByArea(model).area() : 0;
@@ -64,20 +65,21 @@ double large_share_of(const TriangleMesh& model, const TriangleMesh& updated,
 }  // namespace
 
 LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vector<Point>>& clouds,
-                         const SessionUpdate& update, const TriangleMesh& updated) {
-  const AstrayOptions options;
+                         const SessionUpdate& update, const TriangleMesh& updated,
+                         const LostSurfaceOptions& options) {
   const UpdateResult& result = update.result;
   LostSurface lost;
   lost.triangles =
       lost_triangles(model, result.replacement.point_of_vertex, update.change.triangle_map);
   const LostTriangles& found = lost.triangles;
   const std::vector<Scan> scans = scans_of(clouds, result.clouds);
-  lost.large_share = large_share_of(model, updated, update, scans);
+  lost.large_share = large_share_of(model, updated, update, scans, options.astray);
   if (!(found.lost_area > options.min_coarse_share * found.staying_area)) return lost;
-  lost.astray = astray_triangles(model, found.lost, updated, scans, options);
+  lost.astray = astray_triangles(model, found.lost, updated, scans, options.astray);
   lost.share = lost.astray.area / found.staying_area;
   lost.warns = *lost.share > options.min_area_share;
-  lost.is_coarse = lost.astray.median_longest_edge > options.coarse_ratio * largest_spacing(scans);
+  lost.is_coarse =
+      lost.astray.median_longest_edge > options.astray.coarse_ratio * largest_spacing(scans);
   return lost;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "geom/angles.h"
 #include "geom/triangle_normal.h"
 
 namespace cocoon::app {
@@ -15,8 +16,8 @@ constexpr int azimuths = 12;
 constexpr std::array<double, 4> elevations_deg = {28, 0, 60, -28};
 
 Vec3 direction_of(const PageView& view) {
-  const double a = view.azimuth_deg * std::numbers::pi / 180;
-  const double e = view.elevation_deg * std::numbers::pi / 180;
+  const double a = view.azimuth_deg * radians_per_degree;
+  const double e = view.elevation_deg * radians_per_degree;
   return {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
 }
 

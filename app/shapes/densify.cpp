@@ -45,6 +45,9 @@ KnownLabelsSource conform(Job& job, TriangleMesh mesh, double spacing, Densified
       conforming_samples(solid, samples, {.spacing = spacing}, execution);
   job.report().set("input/conforming_samples", more.added.size());
   job.report().set("input/conforming_rounds", more.rounds);
+  if (more.without_room > 0) {
+    job.report().set("input/conforming_without_room", more.without_room);
+  }
   if (!more.added.empty()) {
     job.say("{} more where walls, gaps or edges are closer than {}",
             counted(more.added.size(), "sample"), spacing);

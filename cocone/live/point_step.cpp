@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "geom/arrays/points_of.h"
 #include "geom/errors.h"
 #include "geom/messages/require_size.h"
 
@@ -85,7 +86,7 @@ PointStep plan_step(const DynamicDelaunay& delaunay,
     step.removed_points.push_back(delaunay.point(vertex_of_point[p]));
   }
   step.inserted = change.added;
-  for (const PointId p : change.added) step.inserted_points.push_back(points[p.index()]);
+  step.inserted_points = points_of(points, change.added);
   step.vertex_of_point.resize(points.size());
   for (const KeptRun& run : kept_runs(change, vertex_of_point.size())) {
     std::copy_n(vertex_of_point.begin() + static_cast<std::ptrdiff_t>(run.from), run.count,

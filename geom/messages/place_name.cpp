@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "geom/messages/rounded.h"
 
 namespace cocoon {
 
@@ -19,10 +20,13 @@ int digits_of(double value) {
 }  // namespace
 
 std::string place_name(const Point& at) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.*g, %.*g, %.*g)", digits_of(at.x), at.x, digits_of(at.y),
-                at.y, digits_of(at.z), at.z);
-  return text;
+  std::string name = "(";
+  for (const double value : {at.x, at.y, at.z}) {
+    if (name.size() > 1) name += ", ";
+    name += rounded(value, digits_of(value));
+  }
+  name += ")";
+  return name;
 }
 
 }  // namespace cocoon

@@ -29,7 +29,8 @@ std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct =
 std::vector<RepeatedPoint> repeated_points(Points points, std::size_t distinct,
                                            std::span<const std::uint32_t> near);
 
-// The points without equal ones, in lexicographic order. Complexity: O(n log n).
+// The points without equal ones, in lexicographic order. Precondition: finite points. Complexity:
+// O(n log n).
 std::vector<Point> distinct_points(Points points);
 
 }  // namespace cocoon

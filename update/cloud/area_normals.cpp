@@ -1,5 +1,7 @@
 #include "update/cloud/area_normals.h"
 
+#include "geom/triangle_normal.h"
+
 namespace cocoon {
 
 IdVector<VertexId, Vec3> area_normals(const TriangleMesh& mesh,
@@ -7,8 +9,7 @@ IdVector<VertexId, Vec3> area_normals(const TriangleMesh& mesh,
   IdVector<VertexId, Vec3> sums(mesh.points.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     if ((wanted[a] | wanted[b] | wanted[c]) == 0) continue;
-    const Point& origin = mesh.points[a];
-    const Vec3 twice_area = cross(mesh.points[b] - origin, mesh.points[c] - origin);
+    const Vec3 twice_area = area_normal(mesh.points[a], mesh.points[b], mesh.points[c]);
     for (const VertexId v : {a, b, c}) {
       if (wanted[v] != 0) sums[v] = sums[v] + twice_area;
     }

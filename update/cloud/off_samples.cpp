@@ -5,13 +5,14 @@
 
 namespace cocoon {
 
-std::vector<OffSample> off_samples(const ModelIndex& model, Points samples,
-                                   std::span<const Outward> outward, double distance) {
+std::vector<OffSample> outward_samples_off_model(const ModelIndex& model, Points samples,
+                                                 std::span<const Outward> outward,
+                                                 double distance) {
   if (!outward.empty()) {
-    require_size("off_samples", "normals of the samples", outward.size(), samples.size());
+    require_size("outward_samples_off_model", "normals of the samples", outward.size(), samples.size());
   }
   std::vector<OffSample> off;
-  for (const PointId p : which_are_off(model, samples, distance)) {
+  for (const PointId p : ids_off_model(model, samples, distance)) {
     off.push_back({samples[p.index()], outward.empty() ? Outward{} : outward[p.index()]});
   }
   return off;

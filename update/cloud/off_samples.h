@@ -17,9 +17,9 @@ struct OffSample {
 };
 
 // Those farther from the model than this, in their order. `outward`: of each sample; none: nothing
-// is known. Complexity: as which_are_off(). Errors: InputError for normals of other samples, by
+// is known. Complexity: as ids_off_model(). Errors: InputError for normals of other samples, by
 // their number.
-std::vector<OffSample> off_samples(const ModelIndex& model, Points samples,
-                                   std::span<const Outward> outward, double distance);
+std::vector<OffSample> outward_samples_off_model(const ModelIndex& model, Points samples,
+                                                 std::span<const Outward> outward, double distance);
 
 }  // namespace cocoon

@@ -1,7 +1,6 @@
 #include "update/cloud/ordinary_size.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -9,7 +8,6 @@
 #include "delaunay/require_points.h"
 #include "geom/errors.h"
 #include "geom/point.h"
-#include "update/report/update_messages.h"
 
 namespace cocoon {
 namespace {
@@ -35,7 +33,8 @@ void require_ordinary_size(Points model, std::span<const std::vector<Point>> clo
   std::string too_far;
   if (!has_ordinary_size(model)) too_far = "the model";
   for (std::size_t c = 0; c < clouds.size(); ++c) {
-    const std::string name = name_of_clouds(std::array{c}, clouds.size());
+    const std::string name =
+        "cloud " + std::to_string(c + 1) + " of " + std::to_string(clouds.size());
     require_finite_cloud(clouds[c], name);
     if (too_far.empty() && !has_ordinary_size(clouds[c])) too_far = name;
   }

@@ -4,20 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "geom/closest_on_segment.h"
+
 namespace cocoon {
 
 namespace {
 
 // Edges within this share of the least distance count as equally near: those that end at one point.
 constexpr double equal_distance = 1e-9;
-
-Point closest_on_segment(const Point& p, const Point& a, const Point& b) {
-  const Vec3 along = b - a;
-  const double length = squared_norm(along);
-  if (!(length > 0)) return a;
-  const double t = dot(p - a, along) / length;
-  return t <= 0 ? a : t >= 1 ? b : a + t * along;
-}
 
 }  // namespace
 

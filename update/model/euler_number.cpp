@@ -33,7 +33,7 @@ std::size_t repeated_vertices(const ModelIndex& model) {
 std::ptrdiff_t euler_number(const ModelIndex& model, std::span<const EdgeSide> irregular) {
   const TriangleMesh& mesh = model.mesh();
   std::size_t vertices = mesh.points.size() - repeated_vertices(model);
-  if (model.uses_all_vertices() && model.has_two_triangles_at_each_edge()) {
+  if (model.is_known_smooth()) {
     return euler_number(vertices, mesh.triangles.size());
   }
   for (const VertexId v : mesh.points.ids()) vertices -= model.is_used(v) ? 0U : 1U;

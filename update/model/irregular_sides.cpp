@@ -8,7 +8,7 @@ namespace cocoon {
 
 std::vector<EdgeSide> irregular_sides(const ModelIndex& model) {
   std::vector<EdgeSide> sides;
-  if (model.has_two_triangles_at_each_edge()) return sides;
+  if (model.is_known_smooth()) return sides;
   const TriangleMesh& mesh = model.mesh();
   for (const TriangleId t : mesh.triangles.ids()) {
     if (repeats_a_vertex(mesh.triangles[t])) continue;

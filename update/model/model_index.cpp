@@ -199,7 +199,7 @@ bool ModelIndex::is_really_smooth(const Execution& execution) const {
 }
 
 void ModelIndex::edit(const Edit& edit) {
-  assert(is_smooth());
+  assert(is_known_smooth());
   TriangleNeighbors& neighbors = neighbors_;
   // Triangles that came, or lost a neighbor.
   std::vector<TriangleId> seam = edit.triangles.added;

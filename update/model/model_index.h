@@ -60,8 +60,8 @@ class ModelIndex {
   // as of_smooth() demands; triangles that stay have their corners in the same order. Complexity:
   // O(t + v), a pass in place over each list, and sorting what is new.
   void edit(const Edit& edit);
-  bool can_edit() const { return is_smooth(); }
-  // Makes it one that can. Precondition: the mesh is as of_smooth() demands. Complexity: O(t + v).
+  // Makes it is_known_smooth(), so that it can be edited. Precondition: the mesh is as of_smooth()
+  // demands. Complexity: O(t + v).
   void prepare_for_edits();
 
   const TriangleMesh& mesh() const { return *mesh_; }
@@ -72,7 +72,7 @@ class ModelIndex {
   // Calls visit(triangle) for each of them, in any order, without making a list.
   template <class Visit>
   void for_each_triangle_at(VertexId v, Visit visit) const {
-    if (!is_smooth()) {
+    if (!is_known_smooth()) {
       for (const TriangleId t : at_vertices_[v]) visit(t);
       return;
     }
@@ -87,21 +87,18 @@ class ModelIndex {
   template <class Visit>
   void for_each_vertex_in(const Box& box, const Visit& visit) const {
     const auto& points = mesh_->points;
-    if (is_smooth()) return cells_.visit_in(box, points, visit);
+    if (is_known_smooth()) return cells_.visit_in(box, points, visit);
     visit_where(
         points.size(), [&](std::size_t i) { return contains(box, points[VertexId(i)]); },
         [&](std::size_t i) { visit(VertexId(i)); });
   }
   // Whether a triangle has the vertex.
   bool is_used(VertexId v) const {
-    return is_smooth() ? !triangle_at_[v].is_none() : !at_vertices_[v].empty();
+    return is_known_smooth() ? !triangle_at_[v].is_none() : !at_vertices_[v].empty();
   }
-  // Whether it is known that each vertex has one.
-  bool uses_all_vertices() const { return is_smooth(); }
-  // Whether it is known that the triangles at each vertex hang together by edges that two have.
-  bool has_one_fan_at_each_vertex() const { return is_smooth(); }
-  // Whether it is known that each edge has two triangles.
-  bool has_two_triangles_at_each_edge() const { return is_smooth(); }
+  // Whether it is known that each edge has two triangles, and each vertex triangles that hang
+  // together by these. Not of a mesh that merely is so: by of_smooth() or prepare_for_edits().
+  bool is_known_smooth() const { return !triangle_at_.empty(); }
   // No edge is longer than this along any axis. Infinity: not known.
   double longest_extent() const { return longest_extent_; }
   // Unit normal, outward if the mesh is oriented; the zero vector for a facet without area.
@@ -116,7 +113,6 @@ class ModelIndex {
 
  private:
   ModelIndex() = default;
-  bool is_smooth() const { return !triangle_at_.empty(); }
   // The triangle after t on the way around one of its corners.
   TriangleId next_around(VertexId v, TriangleId t) const {
     const Triangle& corners = mesh_->triangles[t];

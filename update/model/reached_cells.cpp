@@ -10,11 +10,7 @@ constexpr double max_cells = 64;  // along each axis
 }  // namespace
 
 double largest_coordinate(const Box& box) {
-  double largest = 0;
-  for (const Point& p : {box.low, box.high}) {
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
-  return largest;
+  return std::max(max_norm(box.low), max_norm(box.high));
 }
 
 double reach_with_rounding(Points centers, double reach) {

@@ -44,7 +44,7 @@ std::vector<double> squared_heights(const ModelIndex& model, Points places, doub
   return heights;
 }
 
-std::vector<PointId> which_are_off(const ModelIndex& model, Points samples, double distance,
+std::vector<PointId> ids_off_model(const ModelIndex& model, Points samples, double distance,
                                    const Vec3& shift) {
   const std::vector<double> heights = squared_heights(model, samples, distance, shift);
   std::vector<PointId> off;
@@ -54,10 +54,10 @@ std::vector<PointId> which_are_off(const ModelIndex& model, Points samples, doub
   return off;
 }
 
-std::vector<Point> samples_off(const ModelIndex& model, Points samples, double distance,
-                               const Vec3& shift) {
+std::vector<Point> samples_off_model(const ModelIndex& model, Points samples, double distance,
+                                     const Vec3& shift) {
   std::vector<Point> off;
-  for (const PointId p : which_are_off(model, samples, distance, shift)) {
+  for (const PointId p : ids_off_model(model, samples, distance, shift)) {
     off.push_back(samples[p.index()]);
   }
   return off;

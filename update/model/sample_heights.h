@@ -21,10 +21,10 @@ std::vector<double> squared_heights(const ModelIndex& model, Points places, doub
 
 // Which samples are farther from the model than this, ascending; and these samples. Complexity: as
 // squared_heights().
-std::vector<PointId> which_are_off(const ModelIndex& model, Points samples, double distance,
+std::vector<PointId> ids_off_model(const ModelIndex& model, Points samples, double distance,
                                    const Vec3& shift = {});
-std::vector<Point> samples_off(const ModelIndex& model, Points samples, double distance,
-                               const Vec3& shift = {});
+std::vector<Point> samples_off_model(const ModelIndex& model, Points samples, double distance,
+                                     const Vec3& shift = {});
 
 // Measures samples when they are first asked for. Refers to them and to the model, which must
 // outlive it.

@@ -68,8 +68,7 @@ TriangleSet moved_cut(const ModelIndex& model, const TriangleSet& border,
                       std::span<const Scan> scans, const MovedCutOptions& options) {
   require_options("moved_cut", options);
   require_size("moved_cut", "labels", source.size(), model.mesh().triangles.size());
-  double spacing = 0;
-  for (const Scan& scan : scans) spacing = std::max(spacing, scan.spacing);
+  const double spacing = largest_spacing(scans);
   if (options.reach * spacing == 0) return source;
   const std::vector<TriangleId> at_cut = facets_at_cut(model, border, source);
   if (at_cut.empty()) return source;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geom/errors.h"
+#include "geom/mesh/triangles_by_area.h"
 #include "geom/search/nearest_point.h"
 #include "geom/triangle_normal.h"
 #include "update/model/near_facets.h"
@@ -51,8 +52,7 @@ IdVector<RegionId, std::uint8_t> regions_under_samples(
   for (const TriangleId t : mesh.triangles.ids()) {
     const RegionId r = regions.region_of_facet[t];
     if (r.is_none() || is_asked[r] == 0) continue;
-    const auto [a, b, c] = corners_of(mesh, t);
-    const double area = norm(area_normal(a, b, c));
+    const double area = area_of(mesh, t);
     areas[r].all += area;
     if (has_foot[t] != 0 || tree.any_near(model.centroid(t), reach)) areas[r].covered += area;
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geom/arrays/median.h"
+#include "geom/arrays/points_of.h"
 #include "geom/messages/require_size.h"
 #include "geom/search/equal_points.h"
 #include "geom/search/thin_points.h"
@@ -94,9 +95,7 @@ CrowdedSamples crowded_samples(const ModelIndex& model, std::span<const VertexId
     found.thickness = std::max(found.thickness, thickness.share);
     found.depth = std::max(found.depth, thickness.length);
     if (thickness.share < options.min_thickness) continue;
-    std::vector<Point> places;
-    for (const PointId p : apart) places.push_back(samples[p.index()]);
-    found.in_layers += flag_all_but(places, cloud, clouds, found.is_in_layers);
+    found.in_layers += flag_all_but(points_of(samples, apart), cloud, clouds, found.is_in_layers);
   }
   return found;
 }

@@ -35,17 +35,11 @@ struct AstrayOptions {
   double most_spacings = 0.5;
   // A place has been scanned if a sample lies within this many spacings of its cloud.
   double reach = 3;
-  // For whoever tells of them: worth a warning from this share of the area that stays on.
-  double min_area_share = 0.02;
   // Triangles are too large for the scans if longer than this many of their spacings. The model is
   // too coarse if astray triangles are; else something else went wrong.
   double coarse_ratio = 3;
-  // A trial to make it dense is worth its time if large triangles lose this share of all area. Of
-  // thirty models with finer scans those that are meshes of scans lost 1.1 % at most, those of CAD
-  // programs 2.3 % at least.
-  double min_coarse_share = 0.015;
-  // And a trial is only made of triangles that are large for the change, too: longer than this
-  // share of its extent (large_side). Of others little is lost beside the change, but of models
+  // And only if longer than this share of the extent of the change, too (large_side): of others
+  // little is lost beside the change, but of models
   // that were scanned more coarsely all triangles of what was changed would seem lost; on the
   // paper's models they are 0.015 to 0.04 of the extent.
   double min_extent_share = 0.1;
@@ -55,8 +49,9 @@ struct AstrayOptions {
 
 // Triangles with a longer side are too large for the scans and for what was changed:
 // min_extent_share of the extent of the smallest scan, and at least coarse_ratio times the largest
-// spacing. The extent is the diameter of a flat disk half of whose samples are as far from the
-// middle, where the medians of their coordinates are: strays do not count. Complexity: O(n).
+// spacing. The extent is the diameter of a flat disk whose samples have the same median distance
+// from its center as those of the scan have from the medians of their coordinates: strays do not
+// count. Complexity: O(n).
 // Errors: InputError for options out of range.
 double large_side(std::span<const Scan> scans, const AstrayOptions& options = {});
 

@@ -35,7 +35,7 @@ std::vector<Height> heights_of(const ModelIndex& model, const CloudRim& rim,
 }
 
 std::size_t num_on_model(const ModelIndex& model, Points samples, double distance) {
-  return samples.size() - which_are_off(model, samples, distance).size();
+  return samples.size() - ids_off_model(model, samples, distance).size();
 }
 
 }  // namespace

@@ -35,12 +35,12 @@ UnusedChanges unused_changes(const ModelIndex& model, std::span<const Scan> scan
     if (unused[i].size() <= options.neighbors) continue;
     const double distance = options.off_model * scans[i].spacing;
     const std::vector<Point> found =
-        without_strays(samples_off(model, unused[i], distance), options.neighbors,
+        without_strays(samples_off_model(model, unused[i], distance), options.neighbors,
                        options.reach * scans[i].spacing);
     if (found.empty()) continue;
     if (changes.samples == 0) changes.at = *std::min_element(found.begin(), found.end());
     changes.samples += found.size();
-    changes.of += samples_off(model, scans[i].samples, distance).size();
+    changes.of += samples_off_model(model, scans[i].samples, distance).size();
   }
   return changes;
 }

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
+#include "geom/angles.h"
 #include "geom/messages/counted.h"
 #include "geom/messages/place_name.h"
+#include "geom/messages/rounded.h"
 
 namespace cocoon {
 
@@ -32,12 +33,6 @@ std::string where_it_leaves(const OverlapFigures& rim, const OverlapOptions& opt
 
 }  // namespace
 
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
 std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clouds) {
   const auto name_of = [&](std::size_t k) {
     return "cloud " + std::to_string(members[k] + 1) + " of " + std::to_string(clouds);
@@ -53,7 +48,7 @@ std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clo
 
 std::string name_of_limits(double rho, double alpha_cosine) {
   return "rho " + rounded(rho) + " and alpha " +
-         rounded(std::acos(alpha_cosine) * 180 / std::numbers::pi) + " degrees";
+         rounded(std::acos(alpha_cosine) * degrees_per_radian) + " degrees";
 }
 
 std::string hint_of_only_trial(const CloudSurfaceOptions& options) {
@@ -113,6 +108,8 @@ std::string reason_of_wide_handle() {
          "the handle parts what is near the samples from the rest; add a cloud that closes the cut";
 }
 
+std::string choice_of_groups() { return ", or " + std::string(advice_of_groups); }
+
 std::string reason_of_ambiguity(double margin, std::span<const RegionVerdict> groups) {
   const std::string degrees = rounded(margin);
   const std::string told = told_in_parentheses(groups);
@@ -120,14 +117,14 @@ std::string reason_of_ambiguity(double margin, std::span<const RegionVerdict> gr
          "than " +
          degrees + (degrees == "1" ? " degree" : " degrees") + told +
          "; let the cloud reach farther onto unchanged surface" +
-         (told.empty() ? "" : ", or say which of them goes");
+         (told.empty() ? "" : choice_of_groups());
 }
 
 std::string reason_of_turned_away(std::span<const RegionVerdict> groups) {
   return "the model turns away from it on both sides of its rim" + told_in_parentheses(groups) +
          ", as where a scan ends before it meets the model, and its samples do not tell which side "
          "they replace; let the cloud reach onto unchanged surface" +
-         (groups.empty() ? "" : ", or say which of them goes");
+         (groups.empty() ? "" : choice_of_groups());
 }
 
 std::string reason_of_empty_surface(std::size_t updated_points) {
@@ -183,11 +180,12 @@ std::string warning_of_narrow_margin(double degrees) {
   return "its regions differ by only " + rounded(degrees) + " degrees; look at the result";
 }
 
-std::string warning_of_turned_away(std::span<const RegionVerdict> groups, bool by_samples) {
-  return "the model turns away from it on both sides of its rim" + told_in_parentheses(groups) +
-         ", as where a scan ends before it meets the model, " +
-         (by_samples ? "so its samples tell which group goes"
-                     : "and its samples do not tell which group goes, so the smaller angle does") +
+std::string warning_of_turned_away(const CloudReport& cloud) {
+  return "the model turns away from it on both sides of its rim" +
+         told_in_parentheses(cloud.groups) + ", as where a scan ends before it meets the model, " +
+         (cloud.is_told_by_samples
+              ? "so its samples tell which group goes"
+              : "and its samples do not tell which group goes, so the smaller angle does") +
          "; look at the result";
 }
 

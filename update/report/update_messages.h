@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "update/cloud_surface.h"
@@ -22,8 +23,9 @@
 
 namespace cocoon {
 
-// Four digits.
-std::string rounded(double value);
+// In what advises to choose among groups (reason_of_ambiguity, reason_of_turned_away): a program
+// may add how.
+inline constexpr std::string_view advice_of_groups = "say which of them goes";
 
 // "cloud 2 of 3", "cloud 1 of 5 (with cloud 2 of 5 and cloud 4 of 5)"; `members`: at least one,
 // ascending, from 0.
@@ -75,8 +77,8 @@ std::string hint_of_layers(const std::string& clouds);
 std::string warning_of_shared_regions(std::size_t regions);
 // Mean angles of regions, in degrees, that hardly differ.
 std::string warning_of_narrow_margin(double degrees);
-// `by_samples`: they tell which group goes; else angles that differ much do.
-std::string warning_of_turned_away(std::span<const RegionVerdict> groups, bool by_samples);
+// Of a cloud whose samples tell which group goes, or else angles that differ much.
+std::string warning_of_turned_away(const CloudReport& cloud);
 // Of the doubtful; `at`: one of them; `replaced`: how many of those that are overlooked go.
 std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,
                                   const OverlookedOptions& options = {}, std::size_t replaced = 0);

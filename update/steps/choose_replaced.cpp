@@ -87,8 +87,7 @@ void report_choice_of_cloud(UpdateRun& run, std::size_t c, ToldBy told_by) {
   report.is_told_by_samples = told_by == ToldBy::samples;
   report.is_told_by_sure_angles = told_by == ToldBy::sure_angles;
   if (told_by != ToldBy::rim) {
-    run.warn(run.name_of_cloud(c) + ": " +
-             warning_of_turned_away(report.groups, report.is_told_by_samples));
+    run.warn(run.name_of_cloud(c) + ": " + warning_of_turned_away(report));
   } else if (run.result.choice.clouds[c].margin < options.choice.narrow_margin) {
     run.warn(run.name_of_cloud(c) + ": " + warning_of_narrow_margin(report.margin_deg));
   }

@@ -26,8 +26,9 @@ double cosine_by_definition(const Triangulation& t, FacetId f) {
   return dot(inward, center - t.point(a)) / norm(center - t.point(a));
 }
 
+// Each inner one from both sides: the two have balls of their own.
 template <class Visit>
-void for_each_finite_facet(const Triangulation& t, Visit visit) {
+void for_each_side_of_finite_facets(const Triangulation& t, Visit visit) {
   for (const CellId c : t.finite_cells()) {
     for (int i = 0; i < 4; ++i) visit(facet_id(c, i));
   }
@@ -36,7 +37,7 @@ void for_each_finite_facet(const Triangulation& t, Visit visit) {
 TEST(BallCosines, AreTheHeightsOfTheCentersOverTheRadii) {
   const Triangulation t = delaunay(gallery::uniform_cube(500)).triangulation;
   BallCosines cosines(t, 0);
-  for_each_finite_facet(
+  for_each_side_of_finite_facets(
       t, [&](FacetId f) { EXPECT_NEAR(cosines.of(f), cosine_by_definition(t, f), 1e-7); });
   for (const CellId c : t.infinite_cells()) EXPECT_EQ(cosines.of(facet_id(c, 3)), 1);
 }
@@ -60,7 +61,8 @@ TEST(BallCosines, ManyAtOnceAreTheSameBitForBit) {
                              gallery::bumpy_sphere(700), gallery::even_sphere(300)}) {
     const Triangulation t = delaunay(points).triangulation;
     BallCosines cosines(t, 0);
-    for_each_finite_facet(t, [&](FacetId f) { EXPECT_EQ(cosines.of(f), plain_cosine(t, f)); });
+    for_each_side_of_finite_facets(
+        t, [&](FacetId f) { EXPECT_EQ(cosines.of(f), plain_cosine(t, f)); });
   }
 }
 
@@ -68,7 +70,7 @@ TEST(BallCosines, ManyAtOnceAreTheSameBitForBit) {
 TEST(BallCosines, ContactIsTheAngleBetweenRadii) {
   const Triangulation t = delaunay(gallery::uniform_cube(500)).triangulation;
   BallCosines cosines(t, 0);
-  for_each_finite_facet(t, [&](FacetId f) {
+  for_each_side_of_finite_facets(t, [&](FacetId f) {
     const FacetId mirror = t.mirror(f);
     EXPECT_EQ(cosines.contact(f), cosines.contact(mirror));
     if (t.is_infinite(cell_of(mirror))) return;
@@ -97,7 +99,7 @@ TEST(BallCosines, OfARegularTetrahedron) {
 TEST(BallCosines, EqualBallsMeetAtACosineOfOne) {
   const Triangulation t = delaunay(gallery::integer_grid(2)).triangulation;
   BallCosines cosines(t, 0);
-  for_each_finite_facet(t, [&](FacetId f) {
+  for_each_side_of_finite_facets(t, [&](FacetId f) {
     if (t.is_infinite(cell_of(t.mirror(f)))) return;
     EXPECT_NEAR(cosines.contact(f), 1, 1e-12);
   });
@@ -112,7 +114,7 @@ TEST(BallCosines, PreparedOrNotTheyAreTheSame) {
   BallCosines ahead(t, 0);
   ahead.prepare(cells, {.threads = 4});
   BallCosines asked(t, 0);
-  for_each_finite_facet(t, [&](FacetId f) { EXPECT_EQ(ahead.of(f), asked.of(f)); });
+  for_each_side_of_finite_facets(t, [&](FacetId f) { EXPECT_EQ(ahead.of(f), asked.of(f)); });
 }
 
 // Samples on a circle, in one plane but for rounding, and one apex on each side: balls of radius
@@ -162,7 +164,7 @@ TEST(BallCosines, BallsMeetThroughFlatCells) {
   const Triangulation& t = disk.t;
   BallCosines cosines(t, 1e-6);
   std::size_t met = 0;
-  for_each_finite_facet(t, [&](FacetId f) {
+  for_each_side_of_finite_facets(t, [&](FacetId f) {
     const int here = disk.ends.at(cell_of(f));
     if (here == 0) return;
     const CellId beyond = cosines.beyond(f);

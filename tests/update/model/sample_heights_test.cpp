@@ -16,7 +16,7 @@ TEST(SampleHeights, AreSquaresUpToTheBound) {
   const TriangleMesh plane = testing::grid_plane(10);
   const ModelIndex model(plane);
   EXPECT_EQ(squared_heights(model, over_plane, 2), (std::vector<double>{0, 0.25, 2.25, infinity}));
-  EXPECT_EQ(samples_off(model, over_plane, 1), (std::vector{over_plane[2], over_plane[3]}));
+  EXPECT_EQ(samples_off_model(model, over_plane, 1), (std::vector{over_plane[2], over_plane[3]}));
 }
 
 // A place is near if it is so as it lies, or moved back, however far it is moved.
@@ -30,7 +30,7 @@ TEST(SampleHeights, AreTheLesserOfAPlaceAndItMovedBack) {
   for (std::size_t k = 0; k < expected.size(); ++k) {
     EXPECT_EQ(heights.squared(PointId(k)), expected[k]);
   }
-  EXPECT_EQ(samples_off(model, over_plane, 1, shift), std::vector{over_plane[2]});
+  EXPECT_EQ(samples_off_model(model, over_plane, 1, shift), std::vector{over_plane[2]});
 }
 
 }  // namespace

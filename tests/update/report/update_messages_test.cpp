@@ -165,10 +165,14 @@ TEST(UpdateMessages, AnglesAreInDegrees) {
       reason_of_ambiguity(1, {}).ends_with("degree; let the cloud reach farther onto "
                                            "unchanged surface"));
   EXPECT_TRUE(says({reason_of_ambiguity(0.5, groups)}, "differ by less than 0.5 degrees ("));
+  CloudReport turned_away;
+  turned_away.groups = groups;
+  turned_away.is_told_by_samples = true;
   EXPECT_TRUE(
-      says({warning_of_turned_away(groups, true)}, "rim (group 0: 90.1, group 2: 89.9), as"));
-  EXPECT_TRUE(says({warning_of_turned_away(groups, true)}, "so its samples tell which group goes"));
-  EXPECT_TRUE(says({warning_of_turned_away(groups, false)},
+      says({warning_of_turned_away(turned_away)}, "rim (group 0: 90.1, group 2: 89.9), as"));
+  EXPECT_TRUE(says({warning_of_turned_away(turned_away)}, "so its samples tell which group goes"));
+  turned_away.is_told_by_samples = false;
+  EXPECT_TRUE(says({warning_of_turned_away(turned_away)},
                    "not tell which group goes, so the smaller angle does; look"));
   EXPECT_TRUE(says({reason_of_turned_away(groups)}, "surface, or say which of them goes"));
   EXPECT_TRUE(reason_of_turned_away({}).ends_with("reach onto unchanged surface"));
