@@ -322,10 +322,23 @@ void add_other_commands(CLI::App& app, Command& chosen, SharedArguments& shared)
   add_writing(*sub, compare.writing);
 }
 
+// The first argument that is no option before the command, nor the value of one.
+std::string first_word(const CLI::App& app, int argc, const char* const* argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.empty() || argument.front() != '-') return argument;
+    const std::size_t equals = argument.find('=');
+    const CLI::Option* option = app.get_option_no_throw(argument.substr(0, equals));
+    if (option == nullptr) return {};  // an error that others name
+    if (equals == std::string::npos && option->get_items_expected_max() > 0) ++i;
+  }
+  return {};
+}
+
 // CLI11 alone would answer to a misspelled command that one is missing.
 void require_known_command(const CLI::App& app, int argc, const char* const* argv) {
-  const std::string first = argc > 1 ? argv[1] : "";
-  if (first.empty() || first.front() == '-') return;
+  const std::string first = first_word(app, argc, argv);
+  if (first.empty()) return;
   std::string names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     if (command->get_name() == first) return;

@@ -32,8 +32,10 @@ void add_shared_options(CLI::App& app, SharedArguments& shared) {
 }
 
 void add_verify(CLI::App& app, bool& verify) {
-  app.add_flag("--verify", verify,
-               "Check the result exactly before it is written, and write nothing if that fails");
+  app.add_flag(
+      "--verify", verify,
+      "Check triangulation and surface exactly, before --trim, --manifold or --float change "
+      "what is written; write nothing if that fails");
 }
 
 void add_surface_options(CLI::App& app, SurfaceArguments& parameters, const std::string& of_rho) {

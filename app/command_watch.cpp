@@ -215,8 +215,9 @@ class Watch {
     } catch (const UnreadableFile& error) {
       folder_.try_again(file.path);
       if (!unreadable_.insert(file.path).second) return true;
-      say(fmt::format("{}: not applied: {}; it is tried again until it can be read", name,
-                      error.what()));
+      say(fmt::format("{}: not applied: {}; {}", name, error.what(),
+                      arguments_.once ? "--once does not wait for that"
+                                      : "it is tried again until it can be read"));
       return true;
     } catch (const Error& error) {
       no_cloud = error.what();

@@ -16,35 +16,18 @@
 
 namespace cocoon {
 
-namespace {
-
-// What scanners write and other programs turn into these.
-std::string way_out_of(const std::filesystem::path& path) {
-  for (const char* extension : {".las", ".laz", ".e57", ".pcd"}) {
-    if (extension_of(path) == extension)
-      return " (PDAL and CloudCompare convert such scans to PLY)";
-  }
-  return {};
-}
-
-void require_unpacked(const std::filesystem::path& path) {
-  for (const char* extension : {".gz", ".zip", ".bz2", ".xz", ".zst"}) {
-    if (extension_of(path) != extension) continue;
-    throw file_error(path, std::string("is packed (") + extension + "); unpack it first");
-  }
-}
-
-}  // namespace
-
 PointCloud read_points(const std::filesystem::path& path, const PointReadOptions& options) {
   const FileFormat format = format_of(path);
   if (format == FileFormat::other) {
     require_input(path);  // else its name is wrong in another way
-    require_unpacked(path);
-    throw file_error(path,
-                     "extension " + in_quotes(extension_of(path)) +
-                         " is not known; use .xyz, .pts, .txt, .csv, .ply, .obj, .off or .stl" +
-                         way_out_of(path));
+    if (is_packed(path)) {
+      throw file_error(path, "is packed (" + extension_of(path) + "); unpack it first");
+    }
+    throw file_error(
+        path,
+        "extension " + in_quotes(extension_of(path)) +
+            " is not known; use .xyz, .pts, .txt, .csv, .ply, .obj, .off or .stl" +
+            (is_scan_of_others(path) ? " (PDAL and CloudCompare convert such scans to PLY)" : ""));
   }
   PointCloud cloud;
   NonFinitePoints non_finite;

@@ -19,8 +19,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Or what people take for one: they are told why it is none.
 bool may_be_cloud(const fs::path& path) {
-  return !path.filename().string().starts_with('.') && format_of(path) != FileFormat::other;
+  if (path.filename().string().starts_with('.')) return false;
+  return format_of(path) != FileFormat::other || is_scan_of_others(path) || is_packed(path);
 }
 
 std::error_code system_error(int number) { return {number, std::generic_category()}; }

@@ -235,6 +235,22 @@ TEST(CommandLine, HelpPromisesPropertiesWhereTheyAreKept) {
   EXPECT_FALSE(promises("watch"));
 }
 
+// Also behind the options that may come before it.
+TEST(CommandLine, AMisspelledCommandIsNamed) {
+  for (const std::vector<const char*>& before : std::vector<std::vector<const char*>>{
+           {}, {"--quiet"}, {"--threads", "1"}, {"--threads=1", "--json", "a.json", "--verbose"}}) {
+    std::vector<const char*> arguments = before;
+    arguments.insert(arguments.end(), {"recnstruct", "a.xyz", "-o", "a.ply"});
+    try {
+      parse(arguments);
+      ADD_FAILURE() << before.size();
+    } catch (const UsageError& error) {
+      EXPECT_EQ(std::string(error.what()).find("'recnstruct' is no command; there are "), 0U)
+          << error.what();
+    }
+  }
+}
+
 TEST(CommandLine, AWrongOptionPointsToTheHelpOfItsCommand) {
   const auto told = [](const std::vector<const char*>& arguments) -> std::string {
     try {

@@ -272,6 +272,15 @@ TEST(FolderWatch, LengthOrTimeTellThatAFileHasChanged) {
   EXPECT_FALSE(has_changed(file));
 }
 
+// So that the user hears why they are not applied.
+TEST(FolderWatch, ScansThatMustBeConvertedFirstAreToldOf) {
+  const TemporaryFolder folder;
+  FolderWatch watch(folder.path(), 10s);
+  for (const char* name : {"a.xyz.gz", "b.LAS", "c.e57"}) put(folder, name, 60s);
+  watch.poll();
+  EXPECT_EQ(names(watch.poll()), (Names{"a.xyz.gz", "b.LAS", "c.e57"}));
+}
+
 TEST(FolderWatch, OtherFilesAreNotLookedAt) {
   const TemporaryFolder folder;
   FolderWatch watch(folder.path(), 10s);
