@@ -8,6 +8,7 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <unistd.h>
 #include <variant>
 
@@ -81,8 +82,9 @@ void run_job(const CommandLine& line, std::string& unseen_warning) {
     try {
       run(arguments, job);
     } catch (const FileError&) {
-      // A signal interrupts the system when it waits for a pipe.
-      if (interrupted()) throw Cancelled("cancelled while it waited for a file");
+      // A signal interrupts the system when it waits for a pipe. But `watch` writes files after it.
+      constexpr bool watches = std::is_same_v<std::decay_t<decltype(arguments)>, WatchArguments>;
+      if (interrupted() && !watches) throw Cancelled("cancelled while it waited for a file");
       unseen_warning = job.unseen_warning();
       throw;
     } catch (const Error&) {
