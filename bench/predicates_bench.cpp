@@ -72,6 +72,8 @@ BENCHMARK_CAPTURE(run, insphere_grid_128, Family::cospherical, exact_sphere,
                   sphere_at(PredicateLevel::grid_128));
 BENCHMARK_CAPTURE(run, insphere_grid_256, Family::cospherical, exact_sphere,
                   sphere_at(PredicateLevel::grid_256));
+BENCHMARK_CAPTURE(run, insphere_grid_512, Family::cospherical, exact_sphere,
+                  sphere_at(PredicateLevel::grid_512));
 BENCHMARK_CAPTURE(run, insphere_wide, Family::mixed, exact_sphere, sphere_at(PredicateLevel::wide));
 
 }  // namespace

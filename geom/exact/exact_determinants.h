@@ -143,13 +143,14 @@ CommonGrid common_grid(const std::array<double, N>& coordinates, double reach) {
   return {unit, reach > 0 ? std::ilogb(reach) + 1 - unit : 0};
 }
 
-// What compute.operator()<K>() returns for the fewest limbs K of 1, 2, 4 and 33 that hold the
+// What compute.operator()<K>() returns for the fewest limbs K of 1, 2, 4, 8 and 33 that hold the
 // differences and are not below `fewest`.
 template <class Compute>
 auto in_fewest_limbs(const CommonGrid& grid, const Compute& compute, std::size_t fewest = 1) {
   if (fewest <= 1 && grid.difference_bits <= 62) return compute.template operator()<1>();
   if (fewest <= 2 && grid.difference_bits <= 126) return compute.template operator()<2>();
   if (fewest <= 4 && grid.difference_bits <= 254) return compute.template operator()<4>();
+  if (fewest <= 8 && grid.difference_bits <= 510) return compute.template operator()<8>();
   return compute.template operator()<33>();
 }
 

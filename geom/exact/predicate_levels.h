@@ -16,6 +16,7 @@ enum class PredicateLevel {
   grid_64,    // integers, differences below 2^62 units of the common grid
   grid_128,   // integers, differences below 2^126 units
   grid_256,   // integers, differences below 2^254 units
+  grid_512,   // integers, differences below 2^510 units
   wide,       // integers as wide as the range of double
 };
 
@@ -24,12 +25,14 @@ constexpr std::size_t limbs_of(PredicateLevel level) {
   return level <= PredicateLevel::grid_64    ? 1
          : level == PredicateLevel::grid_128 ? 2
          : level == PredicateLevel::grid_256 ? 4
+         : level == PredicateLevel::grid_512 ? 8
                                              : 33;
 }
 constexpr PredicateLevel level_of_limbs(std::size_t limbs) {
   return limbs == 1   ? PredicateLevel::grid_64
          : limbs == 2 ? PredicateLevel::grid_128
          : limbs == 4 ? PredicateLevel::grid_256
+         : limbs == 8 ? PredicateLevel::grid_512
                       : PredicateLevel::wide;
 }
 

@@ -50,6 +50,7 @@ TEST(Insphere, LevelThatDecidesHandMadeInputs) {
       {"2^-43 outside", {{kO, kX, kY, kZ, {1, 1, 1 + 0x1p-43}}}, Sign::negative, permanent},
       {"2^-100 outside", {{kO, kX, kY, kZ, {1, 1, -0x1p-100}}}, Sign::negative, grid_128},
       {"2^-200 inside", {{kO, kX, kY, kZ, {1, 1, 0x1p-200}}}, Sign::positive, grid_256},
+      {"2^-400 inside", {{kO, kX, kY, kZ, {1, 1, 0x1p-400}}}, Sign::positive, grid_512},
       {"2^-1074 inside", {{kO, kX, kY, kZ, {1, 1, 0x1p-1074}}}, Sign::positive, wide},
       {"all in one plane x", {{kO, kY, kZ, {0, 1, 1}, {0, 5, 7}}}, Sign::zero, permanent},
   };
@@ -77,7 +78,7 @@ TEST(Insphere, EveryLevelAgreesWithRationalNumbers) {
         if (level.is_certain()) {
           ASSERT_EQ(sign_of(level.value), expected) << input();
         }
-      for (const PredicateLevel narrowest : {grid_64, grid_128, grid_256, wide})
+      for (const PredicateLevel narrowest : {grid_64, grid_128, grid_256, grid_512, wide})
         ASSERT_EQ(insphere_on_grid(a, b, c, d, e, narrowest).sign, expected) << input();
     }
   }

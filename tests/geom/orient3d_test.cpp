@@ -59,6 +59,10 @@ TEST(Orient3d, LevelThatDecidesHandMadeInputs) {
        {{{0, 0, 0x1p-200}, {1, 0, 1}, {0, 1, 1}, {1, 1, 2}}},
        Sign::positive,
        grid_256},
+      {"2^-400 above it",
+       {{{0, 0, 0x1p-400}, {1, 0, 1}, {0, 1, 1}, {1, 1, 2}}},
+       Sign::positive,
+       grid_512},
       {"2^-1074 above it",
        {{{0, 0, 0x1p-1074}, {1, 0, 1}, {0, 1, 1}, {1, 1, 2}}},
        Sign::positive,
@@ -96,7 +100,7 @@ TEST(Orient3d, EveryLevelAgreesWithRationalNumbers) {
         if (level.is_certain()) {
           ASSERT_EQ(sign_of(level.value), expected) << input();
         }
-      for (const PredicateLevel narrowest : {grid_64, grid_128, grid_256, wide})
+      for (const PredicateLevel narrowest : {grid_64, grid_128, grid_256, grid_512, wide})
         ASSERT_EQ(orient3d_on_grid(a, b, c, d, narrowest).sign, expected) << input();
     }
   }
