@@ -104,17 +104,6 @@ inline TriangleMesh flipped(TriangleMesh mesh) {
   return mesh;
 }
 
-// Both in one mesh, the second one's vertices behind those of the first.
-inline TriangleMesh both(TriangleMesh a, const TriangleMesh& b) {
-  const std::size_t first = a.points.size();
-  for (const Point& p : b.points) a.points.push_back(p);
-  for (Triangle t : b.triangles) {
-    for (VertexId& v : t) v = VertexId(first + v.index());
-    a.triangles.push_back(t);
-  }
-  return a;
-}
-
 // The origin shared, the second tetrahedron in the opposite octant.
 inline TriangleMesh two_tetrahedra_sharing_a_vertex() {
   return make_mesh(

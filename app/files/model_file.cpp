@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/files/files.h"
+#include "geom/mesh/repeated_triangles.h"
 #include "geom/mesh/used_vertices.h"
 #include "geom/mesh/weld_vertices.h"
 #include "geom/mesh_check.h"
@@ -34,6 +35,41 @@ IdVector<VertexId, VertexId> without(const std::vector<std::size_t>& skipped, st
   return vertex_of;
 }
 
+// Takes vertices at equal places as one, if that leaves fewer open edges; else returns false.
+// `left_out`: faces that the user was told of.
+bool weld(Job& job, const std::string& path, const std::string& section,
+          const std::vector<RepeatedPoint>& repeated, std::size_t left_out, ModelFile& model,
+          VertexProperties* properties) {
+  if (repeated.empty()) return false;
+  const std::size_t open = mesh_check(model.mesh, {}, job.execution()).open_edges;
+  if (open == 0) return false;
+  WeldedMesh welded = weld_vertices(model.mesh, repeated);
+  if (mesh_check(welded.mesh, {}, job.execution()).open_edges >= open) return false;
+
+  job.report().set(section + "/welded_vertices", welded.welded);
+  job.say(
+      "{}: {} at the place of another one taken as one with it, since triangles do not share "
+      "vertices there",
+      path, counted(welded.welded, "vertex", "vertices"));
+  warn_of_left_out_faces(job, path, section, left_out, welded.left_out_triangles);
+  if (properties != nullptr) {
+    std::vector<RowOrigin> origins;
+    for (const VertexId source : welded.source) origins.push_back({0, source.index()});
+    *properties = select_rows(*properties, origins);
+  }
+  model = {std::move(welded.mesh), std::move(welded.vertex_of)};
+  return true;
+}
+
+void leave_out_repeated(Job& job, const std::string& path, const std::string& section,
+                        const std::vector<RepeatedPoint>& repeated, TriangleMesh& mesh) {
+  const std::size_t gone = leave_out_repeated_triangles(mesh, repeated, job.execution());
+  if (gone == 0) return;
+  job.report().set(section + "/repeated_triangles", gone);
+  job.warn(fmt::format("{}: {} at the place of another one, and left out", path,
+                       counted(gone, "triangle is", "triangles are")));
+}
+
 }  // namespace
 
 ModelFile read_model(Job& job, const std::string& path, const std::string& section,
@@ -43,25 +79,12 @@ ModelFile read_model(Job& job, const std::string& path, const std::string& secti
   const std::vector<std::size_t>& skipped = shape.read.skipped;
   if (!skipped.empty()) model.vertex_of = without(skipped, model.mesh.points.size());
   if (model.mesh.triangles.empty()) return model;
-  const std::vector<RepeatedPoint> repeated = repeated_points(model.mesh.points.span());
-  if (repeated.empty()) return model;
-  const std::size_t open = mesh_check(model.mesh, {}, job.execution()).open_edges;
-  if (open == 0) return model;
-  WeldedMesh welded = weld_vertices(model.mesh, repeated);
-  if (mesh_check(welded.mesh, {}, job.execution()).open_edges >= open) return model;
-
-  job.report().set(section + "/welded_vertices", welded.welded);
-  job.say(
-      "{}: {} at the place of another one taken as one with it, since triangles do not share "
-      "vertices there",
-      path, counted(welded.welded, "vertex", "vertices"));
-  warn_of_left_out_faces(job, path, section, shape.read.left_out(), welded.left_out_triangles);
-  if (properties != nullptr) {
-    std::vector<RowOrigin> origins;
-    for (const VertexId source : welded.source) origins.push_back({0, source.index()});
-    *properties = select_rows(*properties, origins);
+  std::vector<RepeatedPoint> repeated = repeated_points(model.mesh.points.span());
+  if (weld(job, path, section, repeated, shape.read.left_out(), model, properties)) {
+    repeated.clear();
   }
-  return {std::move(welded.mesh), std::move(welded.vertex_of)};
+  leave_out_repeated(job, path, section, repeated, model.mesh);
+  return model;
 }
 
 void leave_out_unused_vertices(Job& job, const std::string& path, const std::string& section,

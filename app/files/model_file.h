@@ -21,8 +21,9 @@ struct ModelFile {
 // not share vertices, as some programs write them, vertices at equal places are taken as one, as
 // those of STL files are: if that leaves fewer open edges. The summary says so, and the section's
 // "welded_vertices" counts them, "faces_left_out" triangles that vanish by it; of their properties
-// those of the first are kept.
-// Complexity: O(v) without equal places, else as mesh_check.
+// those of the first are kept. Triangles at the place of another one are left out with a warning
+// (leave_out_repeated_triangles()), which "repeated_triangles" counts.
+// Complexity: O(v + t) without equal places, else as mesh_check.
 ModelFile read_model(Job& job, const std::string& path, const std::string& section,
                      VertexProperties* properties = nullptr);
 

@@ -176,5 +176,30 @@ TEST(UnsharedVertices, WhatIsClosedAsGivenStaysAsItIs) {
   EXPECT_EQ(report["input"]["points"], 2004);
 }
 
+// A model that is there twice, with vertices of its own, facing either way: the result is that of
+// the model, and both vertices of a place have the same new index.
+TEST(UnsharedVertices, TrianglesAtThePlaceOfOthersAreLeftOut) {
+  const Files files("soup.off");
+  const TriangleMesh model = read_mesh(files.model);
+  const std::string expected = files.folder.file("expected.ply");
+  report_of({"update", files.model, files.cloud, "-o", expected});
+  const std::string twice = files.folder.file("twice.ply");
+  const std::string out = files.folder.file("out.ply");
+  const std::string map = files.folder.file("map.txt");
+  for (const TriangleMesh& again : {model, gallery::flipped(model)}) {
+    write_mesh(twice, gallery::join(model, again));
+    const Json report = report_of({"update", twice, files.cloud, "-o", out, "--map", map});
+    EXPECT_EQ(report["input"]["repeated_triangles"], model.triangles.size());
+    EXPECT_NE(report["warnings"].dump().find("are at the place of another one, and left out"),
+              std::string::npos);
+    EXPECT_EQ(content_of(out), content_of(expected));
+    const std::vector<int> places = places_in(map);
+    ASSERT_EQ(places.size(), 2 * model.points.size());
+    for (std::size_t v = 0; v < model.points.size(); ++v) {
+      EXPECT_EQ(places[v], places[v + model.points.size()]);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cocoon::test

@@ -140,7 +140,7 @@ TEST(UpdateFromAbove, AHollowBesideAPocketStays) {
   const TriangleMesh block = sampled_block();
   const std::size_t outer = block.points.size();
   const TriangleMesh cavity = gallery::translated(testing::block(6, 10, 4), {2, 10, 4});
-  const TriangleMesh model = gallery::both(block, gallery::flipped(cavity));
+  const TriangleMesh model = gallery::join(block, gallery::flipped(cavity));
   const Scene scene{-8, 3, 0.05, 6};
   const UpdateResult result = update_model(model, scan(scene));
   ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;

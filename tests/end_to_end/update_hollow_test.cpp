@@ -30,7 +30,7 @@ struct HollowBall {
     TriangleMesh cavity = reconstruct_tight(gallery::even_sphere(1000)).mesh;
     inner = cavity.points.size();
     for (Point& p : cavity.points) p = 0.4 * p;
-    model = gallery::both(model, gallery::flipped(cavity));
+    model = gallery::join(model, gallery::flipped(cavity));
     for (const Point& p : gallery::even_sphere(12001)) {
       const double angle = polar_angle(p);
       if (angle <= 0.6) clouds[0].push_back((1 + 0.25 * testing::hill(angle, 0.4)) * p);

@@ -26,7 +26,7 @@ TEST(SurfaceRoughness, CountsPartsAndTwiceTheHandles) {
   const TriangleMesh ring = reconstruct_tight(shapes::random_torus(1500, 0.4, 1)).mesh;
   expect_roughness(ball, 1, 0);
   expect_roughness(ring, 1, 2);
-  expect_roughness(gallery::both(ball, ring), 2, 2);
+  expect_roughness(gallery::join(ball, ring), 2, 2);
   EXPECT_EQ(roughness(ball, 7).unused_vertices, 7U);
 }
 

@@ -35,7 +35,7 @@ std::vector<Point> rough_cube(std::uint64_t seed) {
 
 // Two cubes, each reconstructed by itself, in one mesh.
 TriangleMesh cubes_side_by_side(double gap) {
-  return gallery::both(reconstruct_tight(rough_cube(1)).mesh,
+  return gallery::join(reconstruct_tight(rough_cube(1)).mesh,
                        reconstruct_tight(shapes::moved(rough_cube(2), {14 + gap, 0.4, 0.3})).mesh);
 }
 
