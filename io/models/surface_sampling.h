@@ -19,10 +19,11 @@ using SurfaceRegion = std::function<bool(const Point&)>;
 // Exactly `count` points on the surface of `solid` within `region`, evenly spread (blue noise): of
 // five times as many random points those are kept that are farthest from each other. `mesh` is a
 // fine mesh of the surface, or of a part of it with all of the region: the random points start
-// there. Throws InputError if so little of the mesh lies in the region, less than a quarter, that
-// five times as many points do not fall into it. Complexity: O(count log count). Deterministic from
-// the state of `random`. Source: Yuksel 2015 (sample elimination), with its weights (alpha = 8, no
-// beta and gamma).
+// there. Throws InputError if so little of the mesh lies in the region, less than a hundredth, that
+// five times as many points do not fall into it. Complexity: O(count log count), but for the choice
+// of those that are kept parallel. Deterministic from the state of `random`: any number of threads.
+// Precondition: solid.value may be asked by several threads. Source: Yuksel 2015 (sample
+// elimination), with its weights (alpha = 8, no beta and gamma).
 std::vector<Point> sample_surface(const ImplicitSolid& solid, const TriangleMesh& mesh,
                                   const SurfaceRegion& region, std::size_t count, Random& random,
                                   const Execution& execution = {});

@@ -101,6 +101,58 @@ TEST(SurfaceSampling, EliminationRemovesTheMostCrowdedFirst) {
   EXPECT_EQ(kept, (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {2.1, 0, 0}, {4, 0, 0}}));
 }
 
+// By the definition: all weights are looked at for each point that goes.
+std::vector<Point> eliminated_plainly(std::vector<Point> points, std::size_t count, double radius) {
+  const double reach = 2 * radius;
+  const auto weight = [&](const Point& a, const Point& b) {
+    const double closeness = 1 - distance(a, b) / reach;
+    const double squared = closeness * closeness;
+    return closeness > 0 ? squared * squared * (squared * squared) : 0;
+  };
+  std::vector<double> weights(points.size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      if (j != i) weights[i] += weight(points[i], points[j]);
+    }
+  }
+  while (points.size() > count) {
+    const auto most = std::max_element(weights.begin(), weights.end()) - weights.begin();
+    const Point gone = points[static_cast<std::size_t>(most)];
+    points.erase(points.begin() + most);
+    weights.erase(weights.begin() + most);
+    for (std::size_t i = 0; i < points.size(); ++i) weights[i] -= weight(points[i], gone);
+  }
+  return points;
+}
+
+TEST(SurfaceSampling, EliminationIsThatOfItsDefinitionWithAnyThreads) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Random random(seed);
+    std::vector<Point> points;
+    for (int i = 0; i < 600; ++i) {
+      // On a grid in part, so that there are ties.
+      const double x = random.uniform(0, 20);
+      const double y = random.uniform(0, 20);
+      points.push_back(i % 2 == 0 ? Point{x, y, 0} : Point{std::floor(x), std::floor(y), 1});
+    }
+    const std::vector<Point> expected = eliminated_plainly(points, 150, 1.3);
+    for (const int threads : {1, 3}) {
+      EXPECT_EQ(eliminate_samples(points, 150, 1.3, {threads}), expected) << seed;
+    }
+  }
+}
+
+TEST(SurfaceSampling, EqualWithAnyThreads) {
+  const ImplicitSolid solid = ball(1);
+  const TriangleMesh mesh = polygonize(solid, 0.1);
+  const auto cap = [](const Point& p) { return p.z > 0.5; };
+  Random one(5);
+  Random three(5);
+  const std::vector<Point> expected = sample_surface(solid, mesh, cap, 1500, one);
+  EXPECT_EQ(sample_surface(solid, mesh, cap, 1500, three, {3}), expected);
+  EXPECT_EQ(one.uniform(0, 1), three.uniform(0, 1));  // as much was drawn
+}
+
 TEST(SurfaceSampling, RefusesARegionWithoutSurface) {
   Random random(3);
   const ImplicitSolid solid = ball(1);
