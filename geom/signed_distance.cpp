@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -115,14 +116,15 @@ ClosestPoint foot_on(const Point& p, const TriangleMesh& mesh, TriangleId t) {
 // `scaled`: the mesh times the scale, a power of two.
 std::vector<double> distances_by_scale(const TriangleMesh& mesh, const TriangleMesh& scaled,
                                        double scale, Points points, const Execution& execution) {
-  const ClosestFacetTree tree(scaled, execution);
+  const ClosestFacetTree tree(scaled, execution, points.size());
   const InsideTest inside(mesh, scaled, execution);
   std::vector<double> distances(points.size());
   const StagePart part{"signed_distance"};
   parallel_chunks(execution, part, points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t slot = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const Point p = scale * points[i];
-      const ClosestFacet facet = tree.closest(p);
+      const ClosestFacet facet = tree.closest(p, slot);
       const ClosestPoint foot = foot_on(p, scaled, facet.triangle);
       const double distance = std::sqrt(foot.squared_distance) / scale;
       distances[i] = inside.contains(points[i], p, facet.triangle, foot) ? -distance : distance;

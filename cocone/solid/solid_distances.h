@@ -1,8 +1,9 @@
 // Signed distances from a solid that is asked again and again.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "geom/execution.h"
@@ -18,24 +19,35 @@ class SolidDistances {
   // Keeps the reference, which must outlive the object, and remembers nothing. Implicit: whoever
   // asks once gives the mesh.
   SolidDistances(const TriangleMesh& solid);  // NOLINT(google-explicit-constructor)
-  // Keeps the mesh, and 32 bytes for each place that was asked about. Copies share both.
+  // Keeps the mesh, and 40 to 48 bytes for each place that was asked about. Copies share both.
   explicit SolidDistances(std::shared_ptr<const TriangleMesh> solid);
 
   const TriangleMesh& solid() const { return *solid_; }
 
   // signed_distances() of the solid. Not to be called by several threads. Complexity and errors:
-  // those, of the places that are not remembered; O(log n) for each of the others, and O(n) for n
-  // remembered ones.
+  // those, of the places that are not remembered, and O(1) for each of the others.
   std::vector<double> at(Points places, const Execution& execution = {}) const;
 
  private:
-  struct Known {
-    Point place;
-    double distance = 0;
+  // An open hash table, at most half full.
+  class Memory {
+   public:
+    // nullptr: not there. O(1).
+    const double* find(const Point& place) const;
+    // Of equal places the last counts. Precondition: fewer than 2^31 in all. O(places), amortized.
+    void add(Points places, const std::vector<double>& distances);
+
+   private:
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+    struct Known {
+      Point place;
+      double distance = 0;
+    };
+    std::size_t slot_of(const Point& place) const;
+
+    std::vector<Known> known_;
+    std::vector<std::uint32_t> table_;  // which of `known_`; as many as a power of 2
   };
-  using Memory = std::vector<Known>;  // by their places
-  static std::optional<double> find(const Memory& memory, const Point& place);
-  void remember(Points places, const std::vector<double>& distances) const;
 
   std::shared_ptr<const TriangleMesh> solid_;
   std::shared_ptr<Memory> memory_;

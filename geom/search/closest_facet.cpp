@@ -19,9 +19,13 @@ constexpr double slack_per_coordinate = 0x1p-44;
 // The same of the distance itself, squared, where ties count.
 constexpr double slack_of_bound = 1 + 0x1p-48;
 
+// To compute a bound takes as long as a few queries save.
+constexpr std::size_t queries_per_bound = 8;
+
 }  // namespace
 
-ClosestFacetTree::ClosestFacetTree(const TriangleMesh& mesh, const Execution& execution) {
+ClosestFacetTree::ClosestFacetTree(const TriangleMesh& mesh, const Execution& execution,
+                                   std::size_t queries) {
   if (mesh.triangles.empty()) {
     throw InputError("mesh has no triangles, so that none is closest; give a surface");
   }
@@ -37,27 +41,41 @@ ClosestFacetTree::ClosestFacetTree(const TriangleMesh& mesh, const Execution& ex
   for (const std::uint32_t item : tree_.items()) {
     corners_.push_back({sorted_corners(corners_of(mesh, TriangleId(item))), TriangleId(item)});
   }
+  if (queries / queries_per_bound < corners_.size()) return;
+  bounds_.reserve(corners_.size());
+  for (const Corners& corners : corners_) bounds_.emplace_back(corners.points);
 }
 
 ClosestFacet ClosestFacetTree::closest(const Point& p) const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  ClosestFacet best;
-  best.squared_distance = infinity;
-  const Corners* best_corners = nullptr;
-  tree_.visit_near(p, infinity, [&](std::uint32_t slot) {
-    const Corners& corners = corners_[slot];
-    const ClosestPoint candidate = closest_point_on_triangle(p, corners.points);
-    const double squared = candidate.squared_distance;
-    const bool wins =
-        squared < best.squared_distance || best_corners == nullptr ||
-        (squared == best.squared_distance &&
-         (corners.points != best_corners->points ? corners.points < best_corners->points
-                                                 : corners.triangle < best_corners->triangle));
+  std::uint32_t slot = 0;
+  return closest(p, slot);
+}
+
+ClosestFacet ClosestFacetTree::closest(const Point& p, std::uint32_t& slot) const {
+  const auto on = [&](const Corners& corners) {
+    const ClosestPoint foot = closest_point_on_triangle(p, corners.points);
+    return ClosestFacet{corners.triangle, foot.point, foot.squared_distance};
+  };
+  const std::uint32_t begin = slot;
+  ClosestFacet best = on(corners_[begin]);
+  double limit = slack_of_bound * best.squared_distance;
+  const double largest = max_norm(p);
+  tree_.visit_near(p, limit, [&](std::uint32_t other) {
+    if (other == begin) return limit;
+    if (!bounds_.empty() && bounds_[other].squared_distance(p, largest) > limit) return limit;
+    const Corners& corners = corners_[other];
+    const ClosestFacet facet = on(corners);
+    if (facet.squared_distance > best.squared_distance) return limit;
+    const Corners& of_best = corners_[slot];
+    const bool wins = facet.squared_distance < best.squared_distance ||
+                      (corners.points != of_best.points ? corners.points < of_best.points
+                                                        : corners.triangle < of_best.triangle);
     if (wins) {
-      best = {corners.triangle, candidate.point, squared};
-      best_corners = &corners;
+      best = facet;
+      slot = other;
+      limit = slack_of_bound * best.squared_distance;
     }
-    return slack_of_bound * best.squared_distance;
+    return limit;
   });
   return best;
 }

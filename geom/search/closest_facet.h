@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "geom/execution.h"
 #include "geom/ids.h"
 #include "geom/point.h"
 #include "geom/search/box_tree.h"
+#include "geom/search/facet_bound.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
@@ -24,9 +27,12 @@ struct ClosestFacet {
 // mesh may go. Degenerate triangles count as the segment or point that they are.
 class ClosestFacetTree {
  public:
+  // `queries`: about how many there will be; if many more than triangles, memory is spent on them:
+  // 144 bytes for each triangle (facet_bound.h). The answers are the same.
   // Throws InputError for a mesh without triangles, with a non-finite coordinate in a triangle, or
   // with a triangle that names a vertex that is not there. Complexity: O(t log t), parallel.
-  explicit ClosestFacetTree(const TriangleMesh& mesh, const Execution& execution = {});
+  explicit ClosestFacetTree(const TriangleMesh& mesh, const Execution& execution = {},
+                            std::size_t queries = 0);
 
   // The triangle closest to p. Triangles at equal computed distance (p is closest to their common
   // edge or vertex): the one whose corners, sorted, are lexicographically smallest by coordinates;
@@ -35,6 +41,10 @@ class ClosestFacetTree {
   // near the surface, O(t) at worst (p is equally far from all, as the center of a sphere is).
   // Thread-safe.
   ClosestFacet closest(const Point& p) const;
+
+  // The same for points that follow each other closely, where it takes less time: the search begins
+  // with the triangle at `slot` (0 at first), which becomes that of the answer.
+  ClosestFacet closest(const Point& p, std::uint32_t& slot) const;
 
   // The squared distance alone, up to its rounding, and from far away in less time: O(log t) also
   // where rounding makes the distances to all triangles equal, but for a mesh that is itself far
@@ -47,7 +57,8 @@ class ClosestFacetTree {
     TriangleId triangle;
   };
   BoxTree tree_;
-  std::vector<Corners> corners_;  // by slot of the tree
+  std::vector<Corners> corners_;    // by slot of the tree
+  std::vector<FacetBound> bounds_;  // by slot, or empty
 };
 
 }  // namespace cocoon

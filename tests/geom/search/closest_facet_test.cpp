@@ -1,5 +1,7 @@
 #include "geom/search/closest_facet.h"
 
+#include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -42,6 +44,24 @@ TEST(ClosestFacet, AgreesWithLookingAtEveryTriangle) {
       ASSERT_EQ(actual.squared_distance, squared_distance(p, actual.point));
       ASSERT_EQ(actual.squared_distance, tree.squared_distance(p));
       ASSERT_LE(distance(actual.point, expected.point), 1e-7);
+    }
+  }
+}
+
+TEST(ClosestFacet, ManyQueriesAndWhereTheSearchBeginsChangeNothing) {
+  Random random(13);
+  for (const TriangleMesh& mesh :
+       {gallery::random_soup(300, 1, 0.2), gallery::sphere(3), gallery::open_patch(6, 6)}) {
+    const ClosestFacetTree tree(mesh);
+    const ClosestFacetTree prepared(mesh, {}, 100000);
+    std::uint32_t slot = 0;
+    for (int k = 0; k < 2000; ++k) {
+      // Grid points are equally far from many triangles.
+      Point p = random_point(random, -1.5, 2.5);
+      if (k % 2 == 0) p = {std::round(2 * p.x) / 2, std::round(2 * p.y) / 2, std::round(p.z)};
+      const ClosestFacet expected = tree.closest(p);
+      ASSERT_EQ(prepared.closest(p), expected);
+      ASSERT_EQ(prepared.closest(p, slot), expected);
     }
   }
 }
