@@ -126,10 +126,6 @@ std::vector<Point> eliminate_samples(const std::vector<Point>& points, std::size
   constexpr std::size_t removals_per_report = 4096;
   const std::size_t removals = points.size() - std::min(count, points.size());
   for (std::size_t gone = 0; gone < removals;) {
-    if (gone % removals_per_report == 0) {
-      const double done = static_cast<double>(gone) / static_cast<double>(removals);
-      report_progress(execution, stage, 0.8 + 0.2 * done);
-    }
     Candidate top = queue.top();
     queue.pop();
     const bool is_up_to_date = top.weight == weights[top.slot];
@@ -139,7 +135,10 @@ std::vector<Point> eliminate_samples(const std::vector<Point>& points, std::size
       continue;
     }
     is_removed[top.name] = 1;
-    ++gone;
+    if (++gone % removals_per_report == 0) {
+      const double done = static_cast<double>(gone) / static_cast<double>(removals);
+      report_progress(execution, stage, 0.8 + 0.2 * done);
+    }
     for (const std::uint32_t neighbor : crowd.neighbors(top.slot)) {
       weights[neighbor] -= crowd.weight(top.slot, neighbor);
     }
