@@ -85,7 +85,9 @@ void add_demo_and_sample(CLI::App& app, Command& chosen, SharedArguments& shared
   CLI::App* sub = nullptr;
   auto& demo = add_command<DemoArguments>(
       app, "Update the built-in test block with its U-shaped cloud", chosen, shared, sub);
-  sub->add_option("-o,--output", demo.folder, "Folder to write to (demo-output)")->type_name("DIR");
+  sub->add_option("-o,--output", demo.folder, "Folder to write to (demo-output)")
+      ->type_name("DIR")
+      ->check(folder_name());
 
   auto& sample = add_command<SampleArguments>(app, "Write one of the paper's models as points",
                                               chosen, shared, sub);
@@ -93,7 +95,8 @@ void add_demo_and_sample(CLI::App& app, Command& chosen, SharedArguments& shared
       ->required()
       ->check(CLI::IsMember(sample_model_names()));
   sub->add_option("-o,--output", sample.folder, "Folder to write to (the model's name)")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(folder_name());
   sub->add_option("--points", sample.points, "Points of the initial model (the paper's number)")
       ->transform(without_leading_zeros())
       ->check(CLI::Range(std::size_t{4}, most_sample_points));

@@ -59,6 +59,16 @@ CLI::Validator without_blanks() {
           ""};
 }
 
+CLI::Validator folder_name() {
+  return {[](const std::string& text) {
+            return text != "-" ? std::string()
+                               : std::string(
+                                     "-: several files are written, to a folder; name one "
+                                     "(./- if that is its name)");
+          },
+          ""};
+}
+
 void require_no_empty_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& value : option->results()) {

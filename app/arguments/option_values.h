@@ -37,6 +37,9 @@ CLI::Validator without_leading_zeros();
 // Before and behind a word of a list, as people write one: "closed, manifold".
 CLI::Validator without_blanks();
 
+// Not "-", which is standard output elsewhere: several files go to a folder.
+CLI::Validator folder_name();
+
 // Throws UsageError for an empty value, as a shell makes it of a variable that is not set: taken
 // for an option that is not given, an output would be missing in the end.
 void require_no_empty_values(const CLI::App& command);

@@ -132,6 +132,8 @@ TEST_F(StandardStreams, MapAndPageMayGoThere) {
   expect_error(run_program({"reconstruct", cloud_, "-o", "-"}), 2, "ln -s /dev/stdout out.ply");
   expect_error(run_program({"reconstruct", cloud_, "-o", target_, "--session", "-"}), 2,
                "-: this is kept in a file; name one");
+  expect_error(run_program({"sample", "block", "-o", "-"}), 2,
+               "-: several files are written, to a folder; name one");
 }
 
 // Where standard error is no terminal nothing but errors goes there.
