@@ -94,4 +94,16 @@ double ClosestFacetTree::squared_distance(const Point& p) const {
   return best;
 }
 
+bool ClosestFacetTree::is_within(const Point& p, double squared_reach) const {
+  constexpr double nothing = -1;  // no box is as near
+  double bound = slack_of_bound * squared_reach;
+  tree_.visit_near(p, bound, [&](std::uint32_t slot) {
+    if (bound == nothing) return bound;
+    const double squared = closest_point_on_triangle(p, corners_[slot].points).squared_distance;
+    if (squared <= squared_reach) bound = nothing;
+    return bound;
+  });
+  return bound == nothing;
+}
+
 }  // namespace cocoon

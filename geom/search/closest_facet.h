@@ -51,6 +51,10 @@ class ClosestFacetTree {
   // from the origin, so that rounding is more than its triangles. Otherwise as above.
   double squared_distance(const Point& p) const;
 
+  // Whether that is at most `squared_reach`, up to its rounding: where a triangle is so near the
+  // search ends. Complexity: O(log t) for p so near the surface or farther than twice that.
+  bool is_within(const Point& p, double squared_reach) const;
+
  private:
   struct Corners {
     std::array<Point, 3> points;  // sorted: the distance is the same bits in every rotation

@@ -78,7 +78,7 @@ std::vector<std::uint8_t> UnscannedPlaces::are_off(std::span<const ModelPlace> p
   std::vector<std::uint8_t> off;
   off.reserve(places.size());
   for (const ModelPlace& place : places) {
-    off.push_back(tree.squared_distance(place.at) > reach() * reach() ? 1 : 0);
+    off.push_back(tree.is_within(place.at, reach() * reach()) ? 0 : 1);
   }
   return off;
 }

@@ -43,6 +43,9 @@ TEST(ClosestFacet, AgreesWithLookingAtEveryTriangle) {
           << p.x << " " << p.y << " " << p.z;
       ASSERT_EQ(actual.squared_distance, squared_distance(p, actual.point));
       ASSERT_EQ(actual.squared_distance, tree.squared_distance(p));
+      ASSERT_TRUE(tree.is_within(p, actual.squared_distance));
+      ASSERT_TRUE(tree.is_within(p, 1.5 * actual.squared_distance));
+      ASSERT_FALSE(tree.is_within(p, 0.999999 * actual.squared_distance));
       ASSERT_LE(distance(actual.point, expected.point), 1e-7);
     }
   }
