@@ -75,8 +75,9 @@ std::vector<std::uint8_t> are_replaced(const std::vector<ModelPlace>& places, do
   const ClosestFacetTree tree(dense.input.model);
   const auto& point_of_vertex = dense.outcome.update.result.replacement.point_of_vertex;
   std::vector<std::uint8_t> replaced;
+  std::uint32_t slot = 0;
   for (const ModelPlace& place : places) {
-    const ClosestFacet facet = tree.closest(place.at);
+    const ClosestFacet facet = tree.closest(place.at, slot);
     const Triangle& corners = dense.input.model.triangles[facet.triangle];
     const bool goes = std::any_of(corners.begin(), corners.end(),
                                   [&](VertexId v) { return point_of_vertex[v].is_none(); });

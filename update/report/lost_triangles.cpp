@@ -94,7 +94,7 @@ AstrayTriangles astray_triangles(const TriangleMesh& model, std::span<const Tria
     const double longest = longest_edge(model, t);
     const double limit = std::min(options.tolerance * longest, most);
     const Point middle = a + (1.0 / 3) * ((b - a) + (c - a));
-    if (tree.closest(middle).squared_distance <= limit * limit) continue;
+    if (tree.is_within(middle, limit * limit)) continue;
     if (scanned.contain(middle)) continue;
     const double area = area_of(model, t);
     ++result.count;
