@@ -106,6 +106,13 @@ VertexProperties select_rows(const VertexProperties& table, std::span<const RowO
   return std::move(gathered.properties);
 }
 
+VertexProperties select_rows(const VertexProperties& table, std::span<const VertexId> vertices) {
+  std::vector<RowOrigin> origins;
+  origins.reserve(vertices.size());
+  for (const VertexId v : vertices) origins.push_back({0, v.index()});
+  return select_rows(table, origins);
+}
+
 VertexProperties select_properties(const VertexProperties& table,
                                    std::span<const std::uint8_t> kept) {
   std::vector<RowOrigin> origins;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "geom/ids.h"
 #include "io/formats/ply_header.h"
 
 namespace cocoon {
@@ -66,6 +67,7 @@ GatheredProperties gather_properties(std::span<const VertexProperties> tables,
 
 // The rows `origins` of one table, in this order; what was left out of it stays noted.
 VertexProperties select_rows(const VertexProperties& table, std::span<const RowOrigin> origins);
+VertexProperties select_rows(const VertexProperties& table, std::span<const VertexId> vertices);
 
 // The rows of `table` whose flag in `kept` (one a row) is set, in their order.
 VertexProperties select_properties(const VertexProperties& table,

@@ -61,10 +61,9 @@ CLI::Validator without_blanks() {
 
 CLI::Validator folder_name() {
   return {[](const std::string& text) {
-            return text != "-" ? std::string()
-                               : std::string(
-                                     "-: several files are written, to a folder; name one "
-                                     "(./- if that is its name)");
+            if (text != "-") return std::string();
+            return std::string(
+                "-: several files are written, to a folder; name one (./- if that is its name)");
           },
           ""};
 }

@@ -52,11 +52,7 @@ bool weld(Job& job, const std::string& path, const std::string& section,
       "vertices there",
       path, counted(welded.welded, "vertex", "vertices"));
   warn_of_left_out_faces(job, path, section, left_out, welded.left_out_triangles);
-  if (properties != nullptr) {
-    std::vector<RowOrigin> origins;
-    for (const VertexId source : welded.source) origins.push_back({0, source.index()});
-    *properties = select_rows(*properties, origins);
-  }
+  if (properties != nullptr) *properties = select_rows(*properties, welded.source.span());
   model = {std::move(welded.mesh), std::move(welded.vertex_of)};
   return true;
 }
@@ -93,13 +89,7 @@ void leave_out_unused_vertices(Job& job, const std::string& path, const std::str
   if (std::find(used.begin(), used.end(), std::uint8_t{0}) == used.end()) return;
   const std::vector<RepeatedPoint> repeated = repeated_points(model.mesh.points.span());
   IdVector<VertexId, VertexId> now = leave_out_unused(model.mesh);
-  if (properties != nullptr) {
-    std::vector<RowOrigin> origins;
-    for (const VertexId v : now.ids()) {
-      if (!now[v].is_none()) origins.push_back({0, v.index()});
-    }
-    *properties = select_rows(*properties, origins);
-  }
+  if (properties != nullptr) *properties = select_properties(*properties, used.span());
   for (const RepeatedPoint& r : repeated) {
     VertexId& first = now[VertexId(r.first)];
     if (first.is_none()) first = now[VertexId(r.point)];

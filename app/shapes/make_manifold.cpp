@@ -14,9 +14,7 @@ namespace {
 VertexProperties properties_of_copies(const VertexProperties& properties,
                                       const IdVector<VertexId, VertexId>& source) {
   if (properties.columns.empty()) return properties;
-  std::vector<RowOrigin> origins;
-  for (const VertexId v : source) origins.push_back({0, v.index()});
-  return select_rows(properties, origins);
+  return select_rows(properties, source.span());
 }
 
 void split_sheets(Job& job, const ManifoldOutput& output, TriangleMesh& mesh,

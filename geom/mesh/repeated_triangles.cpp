@@ -25,6 +25,10 @@ struct PlacedTriangle {
   friend auto operator<=>(const PlacedTriangle&, const PlacedTriangle&) = default;
 };
 
+bool have_same_corners(const PlacedTriangle& a, const PlacedTriangle& b) {
+  return a.middle == b.middle && a.largest == b.largest;
+}
+
 // An edge of a triangle, by vertices, not by places: sheets that share no vertices do not hang
 // together.
 struct EdgeOfTriangle {
@@ -75,11 +79,7 @@ std::vector<TriangleId> repeated_triangles(const TriangleMesh& mesh,
           const auto last = listed.begin() + begins[v + 1];
           std::sort(first, last);
           for (auto t = first; t != last; ++t) {
-            if (t == first) continue;
-            const auto before = t - 1;
-            if (t->middle == before->middle && t->largest == before->largest) {
-              found.push_back(t->triangle);
-            }
+            if (t != first && have_same_corners(*(t - 1), *t)) found.push_back(t->triangle);
           }
         }
       });
@@ -115,7 +115,7 @@ std::vector<EdgeOfTriangle> edges_near(const TriangleMesh& mesh,
 std::vector<std::uint8_t> superfluous(const std::vector<EdgeOfTriangle>& edges,
                                       std::size_t num_repeated) {
   DisjointSets sets(num_repeated);
-  std::vector<std::int64_t> more_odd(num_repeated);  // by a root; summed up over sets below
+  std::vector<std::int64_t> more_odd(num_repeated);  // at edges, by their first ones
   for (auto begin = edges.begin(); begin != edges.end();) {
     const auto end = std::find_if_not(
         begin, edges.end(), [&](const EdgeOfTriangle& edge) { return is_same_edge(*begin, edge); });

@@ -27,8 +27,8 @@ struct ClosestFacet {
 // mesh may go. Degenerate triangles count as the segment or point that they are.
 class ClosestFacetTree {
  public:
-  // `queries`: about how many there will be; if many more than triangles, memory is spent on them:
-  // 144 bytes for each triangle (facet_bound.h). The answers are the same.
+  // `queries`: about how many points closest() will be asked about; if many more than triangles,
+  // memory is spent on that: 144 bytes for each triangle (facet_bound.h). The answers are the same.
   // Throws InputError for a mesh without triangles, with a non-finite coordinate in a triangle, or
   // with a triangle that names a vertex that is not there. Complexity: O(t log t), parallel.
   explicit ClosestFacetTree(const TriangleMesh& mesh, const Execution& execution = {},
@@ -52,7 +52,7 @@ class ClosestFacetTree {
   double squared_distance(const Point& p) const;
 
   // Whether that is at most `squared_reach`, up to its rounding: where a triangle is so near the
-  // search ends. Complexity: O(log t) for p so near the surface or farther than twice that.
+  // search ends. Complexity: O(log t), and the triangles whose boxes are so near. Thread-safe.
   bool is_within(const Point& p, double squared_reach) const;
 
  private:

@@ -11,6 +11,7 @@
 
 #include "geom/errors.h"
 #include "geom/mesh/triangles_by_area.h"
+#include "geom/parallel/parallel_list.h"
 #include "geom/search/box_tree.h"
 
 namespace cocoon {
@@ -69,24 +70,17 @@ class Crowd {
   }
 
   void find_neighbors(const Execution& execution) {
-    std::vector<std::vector<std::uint32_t>> parts((size() + points_per_chunk - 1) /
-                                                  points_per_chunk);
     begins_.assign(size() + 1, 0);
-    parallel_chunks(execution, {stage, 0.5, 0.8}, size(), points_per_chunk,
-                    [&](std::size_t begin, std::size_t end) {
-                      std::vector<std::uint32_t>& part = parts[begin / points_per_chunk];
-                      for (std::size_t slot = begin; slot < end; ++slot) {
-                        const std::size_t before = part.size();
-                        append_neighbors(slot, part);
-                        begins_[slot + 1] = part.size() - before;
-                      }
-                    });
+    neighbors_ = parallel_list<std::uint32_t>(
+        execution, {stage, 0.5, 0.8}, size(), points_per_chunk,
+        [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
+          for (std::size_t slot = begin; slot < end; ++slot) {
+            const std::size_t before = found.size();
+            append_neighbors(slot, found);
+            begins_[slot + 1] = found.size() - before;
+          }
+        });
     std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-    neighbors_.reserve(begins_.back());
-    for (std::vector<std::uint32_t>& part : parts) {
-      neighbors_.insert(neighbors_.end(), part.begin(), part.end());
-      part = {};
-    }
   }
 
   BoxTree tree_;

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "geom/errors.h"
+#include "tests/stop_after.h"
+
 namespace cocoon {
 namespace {
 
@@ -24,6 +27,19 @@ TEST(ParallelList, InTheOrderOfTheChunks) {
                 expected);
     }
   }
+}
+
+TEST(ParallelList, TheSameAsAPartOfAStage) {
+  const auto find = [](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
+    for (std::size_t i = begin; i < end; i += 7) found.push_back(i);
+  };
+  test::StopAfter watcher(1000);
+  const Execution execution{2, &watcher};
+  const auto expected = parallel_list<std::size_t>({}, 10007, 16, find);
+  EXPECT_EQ(parallel_list<std::size_t>(execution, {"listing"}, 10007, 16, find), expected);
+  EXPECT_LT(watcher.left, 950);  // it was told about a hundred times
+  test::StopAfter stopper(3);
+  EXPECT_THROW(parallel_list<std::size_t>({2, &stopper}, {"listing"}, 10007, 16, find), Cancelled);
 }
 
 TEST(ParallelList, OfNothing) {

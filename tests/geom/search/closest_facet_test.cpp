@@ -9,17 +9,12 @@
 #include "geom/random/random.h"
 #include "ref/brute_force_closest_facet.h"
 #include "tests/mesh_gallery.h"
+#include "tests/random_point.h"
 
 namespace cocoon {
 namespace {
 
 using gallery::make_mesh;
-
-Point random_point(Random& random, double low, double high) {
-  const double x = random.uniform(low, high);
-  const double y = random.uniform(low, high);
-  return {x, y, random.uniform(low, high)};
-}
 
 TEST(ClosestFacet, AboveBesideAndBeyondOneTriangle) {
   const ClosestFacetTree tree(make_mesh({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}));

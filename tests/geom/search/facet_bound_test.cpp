@@ -5,15 +5,10 @@
 
 #include "geom/random/random.h"
 #include "geom/triangle_projection.h"
+#include "tests/random_point.h"
 
 namespace cocoon {
 namespace {
-
-Point random_point(Random& random) {
-  const double x = random.uniform(-1, 1);
-  const double y = random.uniform(-1, 1);
-  return {x, y, random.uniform(-1, 1)};
-}
 
 double bound_of(const TrianglePoints& triangle, const Point& p) {
   return FacetBound(triangle).squared_distance(p, max_norm(p));
@@ -37,18 +32,18 @@ TEST(FacetBound, IsNeverMoreThanTheDistanceThatIsComputed) {
   std::size_t positive = 0;
   for (int round = 0; round < 20000; ++round) {
     const double narrowness = std::exp2(-random.uniform(0, 45));
-    const Vec3 shift = (round % 3 == 0 ? 1e6 : 0.0) * random_point(random);
-    const Point a = random_point(random);
-    const Point b = random_point(random);
+    const Vec3 shift = (round % 3 == 0 ? 1e6 : 0.0) * random_point(random, -1, 1);
+    const Point a = random_point(random, -1, 1);
+    const Point b = random_point(random, -1, 1);
     const double along = random.uniform(-0.5, 1.5);
-    const Point c = a + along * (b - a) + narrowness * random_point(random);
+    const Point c = a + along * (b - a) + narrowness * random_point(random, -1, 1);
     const TrianglePoints triangle = {a + shift, b + shift, c + shift};
     const FacetBound bound(triangle);
     for (int k = 0; k < 20; ++k) {
       const double u = random.uniform(-0.5, 1);
       const double v = random.uniform(-0.5, 1);
       const double off = k < 5 ? 0 : std::exp2(-random.uniform(0, 40));
-      const Point p = a + u * (b - a) + v * (c - a) + off * random_point(random) + shift;
+      const Point p = a + u * (b - a) + v * (c - a) + off * random_point(random, -1, 1) + shift;
       const double computed = closest_point_on_triangle(p, triangle).squared_distance;
       const double bounded = bound.squared_distance(p, max_norm(p));
       ASSERT_LE(bounded, computed) << narrowness << " " << off;
