@@ -17,7 +17,8 @@ namespace cocoon {
 // wall in common, or where a wall without thickness ends. So no closed body is opened. Returns how
 // many went; vertices that no triangle uses any more stay. `repeated`: repeated_points of the
 // vertices. Preconditions: triangles name vertices that are there. Complexity: O(v + t) for
-// bounded valence, parallel, and O(k log k) for k triangles that are repeated. Deterministic. Source: ours.
+// bounded valence, parallel, and O(k log k) for k triangles that are repeated. Deterministic.
+// Source: ours.
 std::size_t leave_out_repeated_triangles(TriangleMesh& mesh,
                                          std::span<const RepeatedPoint> repeated,
                                          const Execution& execution = {});
