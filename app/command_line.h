@@ -20,7 +20,7 @@ namespace cocoon::app {
 
 // Options that every command has.
 struct SharedArguments {
-  int threads = 0;   // 0 = all cores
+  int threads = 0;   // 0 = all cores it may use
   std::string json;  // file of the JSON report, "-" = standard output, empty = none
   bool quiet = false;
   bool verbose = false;

@@ -18,7 +18,8 @@ std::string in_parentheses(double value) { return fmt::format(" ({:.6g})", value
 }  // namespace
 
 void add_shared_options(CLI::App& app, SharedArguments& shared) {
-  app.add_option("--threads", shared.threads, "Number of threads; 0 = all cores (default)")
+  app.add_option("--threads", shared.threads,
+                 "Number of threads; 0 = all cores it may use (default)")
       ->transform(without_leading_zeros())
       ->check(CLI::Range(0, 1024));
   app.add_option("--json", shared.json, "Write the JSON report to FILE; - = standard output")

@@ -23,7 +23,6 @@
 #include <optional>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "bench/common_triangles.h"
@@ -33,6 +32,7 @@
 #include "bench/tidy_heap.h"
 #include "cocone/reconstruct.h"
 #include "geom/arrays/median.h"
+#include "geom/execution.h"
 #include "geom/mesh_check.h"
 #include "io/sample_models.h"
 #include "ref/cgal_update.h"
@@ -242,8 +242,8 @@ int main(int argc, char** argv) {
   std::printf(
       "Seconds of processor time, one thread, medians of %zu. \"over Delaunay\": what is not\n"
       "the triangulation of the column's own data, as a share of that triangulation. \"all\n"
-      "threads\": %u, seconds by the clock; CGAL's are those of processor time there, too.\n\n",
-      arguments.repetitions, std::thread::hardware_concurrency());
+      "threads\": %d, seconds by the clock; CGAL's are those of processor time there, too.\n\n",
+      arguments.repetitions, thread_count({.threads = 0}));
   std::printf("%-12s %-18s%12s%12s%12s%12s%12s\n", "model", "", "boundary", "overlapping",
               "segment,", "reconstruct", "whole");
   std::printf("%-12s %-18s%12s%12s%12s\n", "", "", "detection", "facets", "select");

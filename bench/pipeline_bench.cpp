@@ -22,7 +22,6 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <thread>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -42,6 +41,7 @@
 #include "cocone/reconstruct.h"
 #include "cocone/surface_mesh.h"
 #include "delaunay/voronoi_dual.h"
+#include "geom/execution.h"
 #include "geom/mesh_check.h"
 #include "geom/search/equal_points.h"
 #include "io/mesh_file.h"
@@ -253,7 +253,7 @@ void print_rivals(const std::vector<Case>& all_cases) {
   for (const Case* c : cases) print_ratios(*c, "cocoon", &bench::Elapsed::processor);
   const std::vector<const Case*> threaded = measured(all_cases, all_threads);
   if (threaded.empty()) return;
-  std::printf("by the clock, ours with all threads (%u)\n", std::thread::hardware_concurrency());
+  std::printf("by the clock, ours with all threads (%d)\n", thread_count({.threads = 0}));
   for (const Case* c : threaded) print_ratios(*c, all_threads, &bench::Elapsed::wall);
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <string>
-#include <thread>
 
 #include "geom/errors.h"
 #include "geom/parallel/task_scheduler.h"
@@ -67,7 +66,7 @@ bool PrefixedProgress::report(std::string_view stage, double fraction) {
 int thread_count(const Execution& execution) {
   constexpr int most = 1024;
   if (execution.threads > 0) return std::min(execution.threads, most);
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return std::clamp(available_cores(), 1, most);
 }
 
 void report_progress(const Execution& execution, std::string_view stage, double fraction) {

@@ -34,7 +34,7 @@ class PrefixedProgress : public Progress {
 };
 
 struct Execution {
-  int threads = 1;               // 0 or less = all cores; more than 1024 count as 1024
+  int threads = 1;               // 0 or less = all cores that the process may use; at most 1024
   Progress* progress = nullptr;  // not owned, may be null
 };
 

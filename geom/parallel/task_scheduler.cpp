@@ -34,10 +34,12 @@ void run_in(tbb::task_arena& arena, std::size_t count, Task task, void* context)
 
 }  // namespace
 
+int available_cores() { return tbb::info::default_concurrency(); }
+
 void run_tasks(int threads, std::size_t count, Task task, void* context) {
   // More threads than cores were asked for (tests do): TBB warns on stderr unless it is allowed.
   std::optional<tbb::global_control> allowance;
-  if (threads > tbb::info::default_concurrency()) {
+  if (threads > available_cores()) {
     allowance.emplace(tbb::global_control::max_allowed_parallelism,
                       static_cast<std::size_t>(threads));
   }

@@ -12,4 +12,8 @@ using Task = void (*)(void* context, std::size_t i, std::size_t thread);
 // exception of a task reaches the caller; others may then not have been called.
 void run_tasks(int threads, std::size_t count, Task task, void* context);
 
+// How many cores this process may run on: all of the machine unless it was bound to some of them
+// (taskset, a batch system, a container with a set of its own).
+int available_cores();
+
 }  // namespace cocoon

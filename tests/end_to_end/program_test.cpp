@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sched.h>
 #include <set>
 #include <sstream>
 #include <string>
@@ -115,6 +116,22 @@ TEST(Program, ResultsDoNotDependOnThreads) {
   EXPECT_EQ(four["threads"], 4);
   EXPECT_EQ(one["surface"]["hash"], four["surface"]["hash"]);
   EXPECT_EQ(content_of(folder.file("one.ply")), content_of(folder.file("four.ply")));
+}
+
+// As by taskset, or in a container with cores of its own.
+TEST(Program, TakesNoMoreThreadsThanCoresItMayUse) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("cloud.xyz", whole_sphere(500));
+  const std::string out = folder.file("out.ply");
+  const RunningProgram program(folder, {"reconstruct", cloud, "-o", out, "--json", "-"}, [] {
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(sched_getcpu(), &one);
+    sched_setaffinity(0, sizeof one, &one);
+  });
+  const ProgramRun run = program.wait();
+  ASSERT_EQ(run.exit_code, 0) << run.error;
+  EXPECT_EQ(Json::parse(run.out)["threads"], 1);
 }
 
 TEST(Program, AllMeshFormatsHoldTheSameSurface) {
