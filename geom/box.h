@@ -60,6 +60,27 @@ inline bool overlap(const Box& a, const Box& b) {
          a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
+// Whether the ray from p along `way` meets the box, within rounding: near an edge it may be told
+// wrong. Preconditions: `way` is not zero, the box not empty.
+inline bool ray_meets(const Point& p, const Vec3& way, const Box& box) {
+  double from = 0;
+  double to = Box::infinity;
+  const auto clip = [&](double x, double step, double low, double high) {
+    if (step == 0) {
+      if (x < low || x > high) to = -1;
+      return;
+    }
+    const double a = (low - x) / step;
+    const double b = (high - x) / step;
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  };
+  clip(p.x, way.x, box.low.x, box.high.x);
+  clip(p.y, way.y, box.low.y, box.high.y);
+  clip(p.z, way.z, box.low.z, box.high.z);
+  return from <= to;
+}
+
 // Squared distance of p to the box, 0 inside. Never more than squared_distance(p, q) for a q in
 // the box, rounding included: each step rounds monotonically.
 inline double squared_distance(const Point& p, const Box& box) {

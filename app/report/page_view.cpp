@@ -1,11 +1,14 @@
 #include "app/report/page_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "geom/angles.h"
+#include "geom/box.h"
+#include "geom/search/box_tree.h"
 #include "geom/triangle_normal.h"
 
 namespace cocoon::app {
@@ -33,25 +36,85 @@ std::vector<PageView> views_around() {
   return views;
 }
 
+// The triangles of a mesh as they hide each other.
+class Hiding {
+ public:
+  explicit Hiding(const TriangleMesh& mesh) {
+    std::vector<Box> boxes;
+    boxes.reserve(mesh.triangles.size());
+    for (const TriangleId t : mesh.triangles.ids()) {
+      boxes.push_back(box_of(finite_corners_of(mesh, t)));
+    }
+    tree_ = BoxTree(boxes);
+    corners_.reserve(boxes.size());
+    for (const std::uint32_t t : tree_.items()) corners_.push_back(corners_of(mesh, TriangleId(t)));
+  }
+
+  // Whether a triangle lies before p for who looks from `towards`.
+  bool hides(const Point& p, const Vec3& towards, TriangleId but) const {
+    return tree_.any_on_ray(p, towards, [&](std::uint32_t slot) {
+      return tree_.items()[slot] != but.value && is_crossed(corners_[slot], p, towards);
+    });
+  }
+
+ private:
+  // By the signs of volumes, in floating point: whether one is seen is a matter of taste.
+  static bool is_crossed(const std::array<Point, 3>& t, const Point& p, const Vec3& way) {
+    const Vec3 a = t[0] - p;
+    const Vec3 b = t[1] - p;
+    const Vec3 c = t[2] - p;
+    const double ab = dot(cross(a, b), way);
+    const double bc = dot(cross(b, c), way);
+    const double ca = dot(cross(c, a), way);
+    const bool passes_through = (ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0);
+    return passes_through && dot(cross(a, b), c) * (ab + bc + ca) > 0;
+  }
+
+  BoxTree tree_;
+  std::vector<std::array<Point, 3>> corners_;  // by slot of the tree
+};
+
+struct Front {
+  TriangleId triangle;
+  Point middle;
+  Vec3 area;
+};
+
+// Of `triangles`, or of some that stand for them.
+std::vector<Front> fronts_of(const TriangleMesh& mesh, std::span<const TriangleId> triangles,
+                             std::size_t at_most) {
+  std::vector<Front> fronts;
+  const std::size_t count = std::min(triangles.size(), at_most);
+  for (std::size_t i = 0; i < count; ++i) {
+    const TriangleId t = triangles[i * triangles.size() / count];
+    const auto& [a, b, c] = finite_corners_of(mesh, t);
+    fronts.push_back({t, (1.0 / 3) * (a + b + c), 0.5 * area_normal(a, b, c)});
+  }
+  return fronts;
+}
+
+// What is shown of `fronts` to who looks from `towards`.
+double shown(const std::vector<Front>& fronts, const Vec3& towards, const Hiding& hiding) {
+  double sum = 0;
+  for (const auto& [triangle, middle, area] : fronts) {
+    const double of_it = dot(area, towards);
+    if (of_it > 0 && !hiding.hides(middle, towards, triangle)) sum += of_it;
+  }
+  return sum;
+}
+
 }  // namespace
 
-PageView view_towards(std::span<const std::array<Point, 3>> triangles,
+PageView view_towards(const TriangleMesh& mesh, std::span<const TriangleId> triangles,
                       const PageViewOptions& options) {
-  std::vector<Vec3> areas;
-  areas.reserve(triangles.size());
-  for (const auto& [a, b, c] : triangles) areas.push_back(0.5 * area_normal(a, b, c));
-
+  const std::vector<Front> fronts = fronts_of(mesh, triangles, options.asked);
   const std::vector<PageView> views = views_around();
-  std::vector<double> shown;
-  for (const PageView& view : views) {
-    const Vec3 towards = direction_of(view);
-    double sum = 0;
-    for (const Vec3& area : areas) sum += std::max(0.0, dot(area, towards));
-    shown.push_back(sum);
-  }
-  const auto most = std::max_element(shown.begin(), shown.end());
-  if (shown.front() >= options.enough * *most) return views.front();
-  return views[static_cast<std::size_t>(most - shown.begin())];
+  const Hiding hiding(mesh);
+  std::vector<double> seen;
+  for (const PageView& view : views) seen.push_back(shown(fronts, direction_of(view), hiding));
+  const auto most = std::max_element(seen.begin(), seen.end());
+  if (seen.front() >= options.enough * *most) return views.front();
+  return views[static_cast<std::size_t>(most - seen.begin())];
 }
 
 }  // namespace cocoon::app

@@ -1,10 +1,10 @@
 // From where the 3D views of a report look at first.
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <span>
 
-#include "geom/point.h"
+#include "geom/triangle_mesh.h"
 
 namespace cocoon::app {
 
@@ -16,14 +16,18 @@ struct PageView {
   double elevation_deg = 28;
 };
 
-// The direction, of a few around the turntable, to which the given triangles show most of their
-// front: the sum of area times the cosine towards the viewer where that is positive. What lies
-// before them is not asked. The default direction stays if it shows at least `enough` of the most.
-// Triangles counterclockwise as seen from outside. Complexity: 48 directions a triangle.
 struct PageViewOptions {
   double enough = 0.6;
+  std::size_t asked = 400;  // triangles, at most
 };
-PageView view_towards(std::span<const std::array<Point, 3>> triangles,
+
+// The direction, of a few around the turntable, to which the given triangles of `mesh` show most of
+// their front: the sum of area times the cosine towards the viewer where that is positive and no
+// other triangle lies before the middle. Of many triangles `asked`, evenly taken from the list,
+// stand for all. The default direction stays if it shows at least `enough` of the most.
+// Triangles counterclockwise as seen from outside. Errors: InputError as finite_corners_of.
+// Complexity: O(t log t) for a mesh of t, and 48 rays for each that is asked.
+PageView view_towards(const TriangleMesh& mesh, std::span<const TriangleId> triangles,
                       const PageViewOptions& options = {});
 
 }  // namespace cocoon::app

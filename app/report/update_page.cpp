@@ -284,16 +284,12 @@ class SceneBuilder {
 
   // Towards the new triangles of the updated model, which add_updated() labeled.
   void look_at_the_change() {
-    const PageGeometry& updated = page_.geometries.back();
-    std::vector<std::array<Point, 3>> changed;
-    for (std::size_t t = 0; t < updated.labels.of_element.size(); ++t) {
-      if (updated.labels.of_element[t] == kept_only_label) continue;
-      const auto corner = [&](std::size_t k) {
-        return page_.points.positions[updated.indices[3 * t + k]];
-      };
-      changed.push_back({corner(0), corner(1), corner(2)});
+    const std::vector<std::uint32_t>& labels = page_.geometries.back().labels.of_element;
+    std::vector<TriangleId> changed;
+    for (const TriangleId t : record_.result.mesh.triangles.ids()) {
+      if (labels[t.index()] != kept_only_label) changed.push_back(t);
     }
-    page_.view = view_towards(changed);
+    page_.view = view_towards(record_.result.mesh, changed);
   }
 
   // Adds a stage that shows the layers whose ids begin with one of the given names; with '$' at

@@ -1,6 +1,6 @@
-// A bounding volume hierarchy: finds the boxes near a point or overlapping another box. What the
-// boxes stand for (triangles, points) is the caller's; see closest_facet, nearest_point and
-// self_intersection.
+// A bounding volume hierarchy: finds the boxes near a point, on a ray or overlapping another box.
+// What the boxes stand for (triangles, points) is the caller's; see closest_facet, nearest_point
+// and self_intersection.
 #pragma once
 
 #include <array>
@@ -42,6 +42,12 @@ class BoxTree {
   template <class Visit>
   void visit_overlapping(const Box& box, const Visit& visit) const;
 
+  // Calls visit(slot) -> bool for the items in all leaves whose box the ray from p along `way`
+  // meets (ray_meets), until it returns true for one; whether it did. The items' own boxes need not
+  // be met.
+  template <class Visit>
+  bool any_on_ray(const Point& p, const Vec3& way, const Visit& visit) const;
+
  private:
   // A leaf holds the slots [first, first + count). An inner node has count = 0, its children are
   // the node after it and node `first`.
@@ -52,6 +58,11 @@ class BoxTree {
   };
   static constexpr std::size_t max_depth = 40;
   static constexpr std::size_t leaf_size = 4;
+
+  // Calls visit(slot) for the items in all leaves in whose box, and in those of whose ancestors,
+  // meets(box) holds, until it returns true; whether it did.
+  template <class Meets, class Visit>
+  bool any_in_boxes(const Meets& meets, const Visit& visit) const;
 
   struct Center {
     Point at;
@@ -106,20 +117,37 @@ void BoxTree::visit_near(const Point& p, double bound, const Visit& visit) const
 
 template <class Visit>
 void BoxTree::visit_overlapping(const Box& box, const Visit& visit) const {
-  if (nodes_.empty()) return;
+  any_in_boxes([&](const Box& of_node) { return overlap(of_node, box); },
+               [&](std::uint32_t slot) {
+                 visit(slot);
+                 return false;
+               });
+}
+
+template <class Visit>
+bool BoxTree::any_on_ray(const Point& p, const Vec3& way, const Visit& visit) const {
+  return any_in_boxes([&](const Box& of_node) { return ray_meets(p, way, of_node); }, visit);
+}
+
+template <class Meets, class Visit>
+bool BoxTree::any_in_boxes(const Meets& meets, const Visit& visit) const {
+  if (nodes_.empty()) return false;
   std::array<std::uint32_t, max_depth> stack;
   std::size_t size = 0;
   stack[size++] = 0;
   while (size > 0) {
     const std::uint32_t id = stack[--size];
     const Node& node = nodes_[id];
-    if (!overlap(node.box, box)) continue;
-    for (std::uint32_t k = 0; k < node.count; ++k) visit(node.first + k);
+    if (!meets(node.box)) continue;
+    for (std::uint32_t k = 0; k < node.count; ++k) {
+      if (visit(node.first + k)) return true;
+    }
     if (node.count > 0) continue;
     assert(size + 2 <= max_depth);
     stack[size++] = node.first;
     stack[size++] = id + 1;
   }
+  return false;
 }
 
 }  // namespace cocoon

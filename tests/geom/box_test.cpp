@@ -70,5 +70,32 @@ TEST(Box, IsNoFartherThanThePointsInIt) {
   EXPECT_EQ(squared_distance(Point{3, 0.5, -1}, Box{{0, 0, 0}, {1, 1, 1}}), 5);
 }
 
+TEST(Box, RaysMeetWhatLiesBeforeThem) {
+  const Box box{{1, -1, -1}, {2, 1, 1}};
+  EXPECT_TRUE(ray_meets({0, 0, 0}, {1, 0, 0}, box));
+  EXPECT_TRUE(ray_meets({0, 0, 0}, {1, 0.9, -0.9}, box));
+  EXPECT_TRUE(ray_meets({1.5, 0, 0}, {0, 0, 1}, box));  // from inside
+  EXPECT_FALSE(ray_meets({0, 0, 0}, {-1, 0, 0}, box));  // it lies behind
+  EXPECT_FALSE(ray_meets({0, 0, 0}, {1, 1.5, 0}, box));
+  EXPECT_FALSE(ray_meets({0, 2, 0}, {1, 0, 0}, box));
+  const Box flat{{1, -1, -1}, {1, 1, 1}};
+  EXPECT_TRUE(ray_meets({0, 0, 0}, {1, 0.5, 0.5}, flat));
+  EXPECT_TRUE(ray_meets({1, -3, 0}, {0, 1, 0}, flat));
+}
+
+// Rays towards random points of random boxes, and away from them where the box is not around.
+TEST(Box, RaysMeetTheBoxesOfTheirPoints) {
+  Random random(11);
+  for (int i = 0; i < 1000; ++i) {
+    const Box box = box_of(std::vector<Point>{random.in_unit_cube(), random.in_unit_cube()});
+    const Vec3 size = box.size();
+    const Vec3 share = random.in_unit_cube();
+    const Point inside = box.low + Vec3{share.x * size.x, share.y * size.y, share.z * size.z};
+    const Point p = 3 * random.in_unit_cube() - Vec3{1, 1, 1};
+    EXPECT_TRUE(ray_meets(p, inside - p, box));
+    if (!contains(box, p)) EXPECT_FALSE(ray_meets(p, p - inside, box));
+  }
+}
+
 }  // namespace
 }  // namespace cocoon

@@ -69,5 +69,31 @@ TEST(CountNear, AsOneByOne) {
   EXPECT_EQ(count_near(tree_of_points({}), {}, {0, 0, 0}, 1, 5), 0U);
 }
 
+TEST(BoxTree, RaysFindWhatLooksAtAllBoxesFind) {
+  Random random(9);
+  std::vector<Box> boxes;
+  for (int k = 0; k < 3000; ++k) {
+    const Point low = random.in_unit_cube();
+    boxes.push_back({low, low + 0.02 * random.in_unit_cube()});
+  }
+  const BoxTree tree(boxes);
+  for (int k = 0; k < 50; ++k) {
+    const Point p = random.in_unit_cube();
+    const Vec3 way = random.in_unit_cube() - Vec3{0.5, 0.5, 0.5};
+    const auto is_met = [&](std::uint32_t slot) {
+      return ray_meets(p, way, boxes[tree.items()[slot]]);
+    };
+    std::size_t met = 0;
+    EXPECT_FALSE(tree.any_on_ray(p, way, [&](std::uint32_t slot) {
+      met += is_met(slot) ? 1U : 0U;
+      return false;
+    }));
+    const auto all = std::count_if(boxes.begin(), boxes.end(),
+                                   [&](const Box& box) { return ray_meets(p, way, box); });
+    EXPECT_EQ(met, static_cast<std::size_t>(all));
+    EXPECT_EQ(tree.any_on_ray(p, way, is_met), all > 0);
+  }
+}
+
 }  // namespace
 }  // namespace cocoon
