@@ -127,7 +127,7 @@ class Telling {
   }
 
   bool is_undisturbed(const Cell& cell) const {
-    return vertices_with(undisturbed, cell) != 0 && vertices_with(closed, cell) == 15;
+    return vertices_with(undisturbed, cell) != 0 && vertices_with(closed | intact, cell) == 15;
   }
 
   // If no cell is told both. Then two cells at an intact vertex, with a facet there between them
@@ -205,7 +205,7 @@ class Telling {
       if (told_[c] == told_both) ++known.contradictions;
       const CellLabel label = label_told(told_[c]);
       const Cell& cell = triangulation_.cell(c);
-      if (told_[c] == 0 && is_undisturbed(cell)) known.undisturbed.push_back(c);
+      if (any_missing_ && is_undisturbed(cell)) known.undisturbed.push_back(c);
       if (label == CellLabel::unmarked) continue;
       if (!is_believed(vertices_with(corner, cell), vertices_with(intact, cell))) continue;
       known.labels[c] = label;

@@ -23,9 +23,11 @@ struct KnownLabels {
   IdVector<CellId, CellLabel> labels;
   std::size_t cells = 0;           // that have a label
   std::size_t contradictions = 0;  // cells told both: they stay unmarked
-  // Cells that are told nothing, though all that was around their corners is kept. Not those of a
-  // mesh whose triangles were facets of a triangulation of its vertices: sheets closer than its
-  // vertices are, other diagonals of a grid. So if there are any the mesh is none of ours, and what
+  // Cells at triangles that are no facets, though all that was around their corners is kept. Such a
+  // triangle may cut through the cell: `labels` has for it what triangles at other corners tell, if
+  // any do, but most of it may lie on the other side. There are none in a mesh whose triangles were
+  // facets of a triangulation of its vertices; in others there are where sheets are closer than
+  // vertices, or a grid has other diagonals. So if there are any the mesh is none of ours, and what
   // it tells need not fit the samples. Then `labels` has all cells.
   std::vector<CellId> undisturbed;
   // What is likely of cells of which `labels` tells nothing, as of those on lines of sight.
@@ -78,8 +80,7 @@ struct OldSurface {
 // every corner of a triangle that it has is intact, for where a vertex keeps all its triangles the
 // surface has not changed. Infinite cells are not labeled (they are OUT anyway). If the triangles
 // bound a union of cells, no cell is told both. Without triangles nothing is known.
-// A cell is undisturbed if one of its vertices is, and the triangles at the others leave no gap;
-// none of them is intact, or it would have told something.
+// A cell is undisturbed if one of its vertices is, and the triangles at the others leave no gap.
 // Triangles are looked for in `surface` first, which changes nothing else. Errors: InputError for
 // one of another triangulation, by its size. Complexity: O(cells + t) for t triangles, for bounded
 // valence; in part parallel. Deterministic: independent of their order and of the threads. Source:

@@ -1,6 +1,7 @@
 // Which cells a mesh of another program leaves to its inside and outside (known_labels.h).
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 #include <utility>
@@ -8,52 +9,72 @@
 
 #include "cocone/known_labels.h"
 #include "cocone/reconstruct.h"
+#include "cocone/solid/labels_of_solid.h"
 #include "delaunay/circulate.h"
 #include "delaunay/delaunay.h"
+#include "geom/signed_distance.h"
 #include "tests/cocone/known_triangles.h"
 #include "tests/cocone/sample_shapes.h"
 
 namespace cocoon {
 namespace {
 
-// The surface of a cube, of unit squares, each with the diagonal from its smallest corner. The
-// facets have the other one: ties of their corners are broken by coordinates.
-std::vector<KnownTriangle> cube_of_squares(int size, std::vector<Point>& points) {
-  std::map<std::array<int, 3>, PointId> ids;
+// The surface of a body of unit cubes: of unit squares, each with the diagonal from its smallest
+// corner. The facets have the other one: ties of their corners are broken by coordinates.
+struct Squares {
+  std::vector<Point> points;
   std::vector<KnownTriangle> triangles;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (const int level : {0, size}) {
-      for (int i = 0; i < size * size; ++i) {
-        const auto corner = [&](int u, int v) {
-          std::array<int, 3> p{};
-          p[axis] = level;
-          p[(axis + 1) % 3] = i % size + u;
-          p[(axis + 2) % 3] = i / size + v;
-          const auto [at, is_new] = ids.try_emplace(p, PointId(points.size()));
-          if (is_new) points.push_back({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
-          return at->second;
-        };
-        std::array<KnownTriangle, 2> halves = {
-            KnownTriangle{corner(0, 0), corner(1, 0), corner(1, 1)},
-            KnownTriangle{corner(1, 1), corner(0, 1), corner(0, 0)}};
-        for (KnownTriangle& t : halves) {
-          if (level == 0) std::swap(t[0], t[1]);
-          triangles.push_back(t);
-        }
+};
+
+using Place = std::array<int, 3>;
+
+Squares squares_around(int size, bool (*is_filled)(const Place&)) {
+  Squares body;
+  std::map<Place, PointId> ids;
+  const auto id_of = [&](const Place& p) {
+    const auto [at, is_new] = ids.try_emplace(p, PointId(body.points.size()));
+    if (is_new) body.points.push_back({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+    return at->second;
+  };
+  const auto add_face = [&](const Place& cube, std::size_t axis, bool is_upper) {
+    const auto corner = [&](int u, int v) {
+      Place p = cube;
+      p[axis] += is_upper ? 1 : 0;
+      p[(axis + 1) % 3] += u;
+      p[(axis + 2) % 3] += v;
+      return id_of(p);
+    };
+    std::array<KnownTriangle, 2> halves = {KnownTriangle{corner(0, 0), corner(1, 0), corner(1, 1)},
+                                           KnownTriangle{corner(1, 1), corner(0, 1), corner(0, 0)}};
+    for (KnownTriangle& t : halves) {
+      if (!is_upper) std::swap(t[0], t[1]);
+      body.triangles.push_back(t);
+    }
+  };
+  for (int i = 0; i < size * size * size; ++i) {
+    const Place cube = {i % size, i / size % size, i / size / size};
+    for (std::size_t axis = 0; axis < 3 && is_filled(cube); ++axis) {
+      for (const bool is_upper : {false, true}) {
+        Place other = cube;
+        other[axis] += is_upper ? 1 : -1;
+        if (!is_filled(other)) add_face(cube, axis, is_upper);
       }
     }
   }
-  return triangles;
+  return body;
+}
+
+Squares cube_of_squares() {
+  return squares_around(6, [](const Place& p) {
+    return std::all_of(p.begin(), p.end(), [](int x) { return x >= 0 && x < 6; });
+  });
 }
 
 TEST(UndisturbedCells, AGridWithOtherDiagonalsIsNoMeshOfOurs) {
-  std::vector<Point> points;
-  const std::vector<KnownTriangle> squares = cube_of_squares(6, points);
+  auto [points, squares] = cube_of_squares();
   const Triangulation triangulation = delaunay(points).triangulation;
   const auto undisturbed = [](const Triangulation& t, const std::vector<KnownTriangle>& triangles) {
-    const KnownLabels known = known_labels(t, triangles, FacetSet(t.num_cells()));
-    for (const CellId c : known.undisturbed) EXPECT_EQ(known.labels[c], CellLabel::unmarked);
-    return known.undisturbed;
+    return known_labels(t, triangles, FacetSet(t.num_cells())).undisturbed;
   };
   EXPECT_TRUE(undisturbed(triangulation, triangles_of(reconstruct_tight(points))).empty());
   EXPECT_FALSE(undisturbed(triangulation, squares).empty());
@@ -79,11 +100,63 @@ TEST(UndisturbedCells, AGridWithOtherDiagonalsIsNoMeshOfOurs) {
   EXPECT_GT(beside, 0U);
 }
 
+// A step with a vertex on its upper face, close to the edge. The triangle of the wall at that edge
+// is no facet, and cells in the air before it reach around the edge to that vertex, whose own
+// triangles, all of them facets, have them inside.
+TEST(UndisturbedCells, ATriangleThatIsNoFacetMayCutThroughACell) {
+  auto [points, triangles] = squares_around(8, [](const Place& p) {
+    const bool is_in_box = std::all_of(p.begin(), p.end(), [](int x) { return x >= 0 && x < 8; });
+    return is_in_box && (p[2] < 3 || p[0] >= 3);
+  });
+  const PointId added(points.size());
+  points.push_back({3.003, 3.5, 8});
+  const auto is_at_edge = [&](PointId p) { return points[p.index()].x == 3; };
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const KnownTriangle old = triangles[t];
+    const Point middle =
+        (1.0 / 3) * (points[old[0].index()] + points[old[1].index()] + points[old[2].index()]);
+    const bool has_edge = std::count_if(old.begin(), old.end(), is_at_edge) == 2;
+    if (middle.z != 8 || std::abs(middle.y - 3.5) > 0.5 || !has_edge) continue;
+    triangles[t] = {old[0], old[1], added};
+    triangles.push_back({old[1], old[2], added});
+    triangles.push_back({old[2], old[0], added});
+    break;
+  }
+  TriangleMesh mesh;
+  for (const Point& p : points) mesh.points.push_back(p);
+  for (const auto& [a, b, c] : triangles) {
+    mesh.triangles.push_back({VertexId(a.value), VertexId(b.value), VertexId(c.value)});
+  }
+
+  const Triangulation triangulation = delaunay(points).triangulation;
+  const auto middle_of = [&](CellId c) {
+    const auto& [p, q, r, s] = triangulation.cell(c).vertices;
+    return 0.25 * (triangulation.point(p) + triangulation.point(q) + triangulation.point(r) +
+                   triangulation.point(s));
+  };
+  std::vector<Point> middles;
+  for (const CellId c : triangulation.finite_cells()) middles.push_back(middle_of(c));
+  const std::vector<double> depths = signed_distances(mesh, middles);
+  const auto wrong = [&](const KnownLabels& known) {
+    std::size_t count = 0;
+    for (const CellId c : triangulation.finite_cells()) {
+      const double depth = depths[c.index()];
+      const CellLabel right = depth > 0 ? CellLabel::out : CellLabel::in;
+      const bool is_told = known.labels[c] != CellLabel::unmarked;
+      count += std::abs(depth) > 0.5 && is_told && known.labels[c] != right ? 1U : 0U;
+    }
+    return count;
+  };
+  KnownLabels known = known_labels(triangulation, triangles, FacetSet(triangulation.num_cells()));
+  EXPECT_GT(wrong(known), 0U);
+  add_labels_of_solid(triangulation, mesh, known.undisturbed, known, labels_of_crossing_cells);
+  EXPECT_EQ(wrong(known), 0U);
+}
+
 // Beside such a mesh, in noise, vertices disagree: then the marking is done again without it. That
 // nothing is likely makes no difference.
 TEST(UndisturbedCells, TheMarkingIsDoneAgainWhereVerticesDisagree) {
-  std::vector<Point> points;
-  const std::vector<KnownTriangle> squares = cube_of_squares(6, points);
+  auto [points, squares] = cube_of_squares();
   for (const Point& p : shapes::noisy_sphere(3000, 0.01, 9)) {
     points.push_back(4 * p + Point{20, 0, 0});
   }
