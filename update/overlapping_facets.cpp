@@ -94,18 +94,18 @@ ClosestFacet star_facet(const ModelIndex& model, VertexId nearest, const Point& 
 class NearestVertex {
  public:
   explicit NearestVertex(const ModelIndex& model)
-      : used_(used_vertices(model)), tree_(points_of(model.mesh(), used_)) {}
+      : used_(vertices_in_use(model)), tree_(points_at(model.mesh(), used_)) {}
   VertexId operator()(const Point& p) const { return used_[tree_.nearest(p).point.index()]; }
 
  private:
-  static std::vector<VertexId> used_vertices(const ModelIndex& model) {
+  static std::vector<VertexId> vertices_in_use(const ModelIndex& model) {
     std::vector<VertexId> used;
     for (const VertexId v : model.mesh().points.ids()) {
       if (model.is_used(v)) used.push_back(v);
     }
     return used;
   }
-  static std::vector<Point> points_of(const TriangleMesh& mesh, const std::vector<VertexId>& used) {
+  static std::vector<Point> points_at(const TriangleMesh& mesh, const std::vector<VertexId>& used) {
     std::vector<Point> points;
     points.reserve(used.size());
     for (const VertexId v : used) points.push_back(mesh.points[v]);
@@ -203,7 +203,8 @@ class Locator {
   std::optional<NearestVertex> nearest_vertex_;
 };
 
-// The component that most points of each loop lie on; any_component if too many do not.
+// The component that more points of a loop lie on than on any other; any_component if two have as
+// many, or more than max_share of the points lie elsewhere.
 std::vector<std::uint32_t> main_components(const ModelIndex& model, const CloudRim& rim,
                                            const std::vector<RimPoint>& points,
                                            const std::vector<Location>& located, double max_share) {
@@ -217,10 +218,14 @@ std::vector<std::uint32_t> main_components(const ModelIndex& model, const CloudR
   }
   std::vector<std::uint32_t> result(rim.loops.size(), any_component);
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    std::size_t most = 0;
     for (const auto& [component, count] : counts[l]) {
-      const double others = static_cast<double>(matched[l] - count);
-      if (others <= max_share * static_cast<double>(matched[l])) result[l] = component;
+      if (count == most) result[l] = any_component;
+      if (count > most) result[l] = component;
+      most = std::max(most, count);
     }
+    const double others = static_cast<double>(matched[l] - most);
+    if (others > max_share * static_cast<double>(matched[l])) result[l] = any_component;
   }
   return result;
 }

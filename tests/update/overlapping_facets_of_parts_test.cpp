@@ -12,7 +12,8 @@ namespace {
 using testing::circle;
 using testing::rim_of;
 
-// Points above a speck of dust look for the surface below it, as long as they are a tenth of all.
+// Points above a speck of dust look for the surface below it, as long as they are a tenth of all;
+// or if more are allowed, as long as more points are elsewhere than there.
 TEST(OverlappingFacets, ATenthOfTheRimMayBeNearestToAnotherPart) {
   TriangleMesh model = testing::grid_plane(20);
   for (Point& p : model.points) p = 2 * p;
@@ -21,16 +22,21 @@ TEST(OverlappingFacets, ATenthOfTheRimMayBeNearestToAnotherPart) {
   }
   const std::size_t last = model.points.size() - 1;
   model.triangles.push_back({VertexId(last - 2), VertexId(last - 1), VertexId(last)});
-  const auto on_speck = [&](std::size_t raised, std::size_t relocated) {
+  const auto on_speck = [&](std::size_t raised, std::size_t relocated,
+                            const OverlapOptions& options = {}) {
     RimLoop loop = circle(40, {12, 12, 0}, 6);
     for (std::size_t i = 0; i < raised; ++i) loop.points[i].z = 1;
-    const Overlap overlap = overlapping_facets(model, rim_of({loop}));
+    const Overlap overlap = overlapping_facets(model, rim_of({loop}), options);
     EXPECT_EQ(overlap.figures.relocated, relocated);
     const auto& feet = overlap.loops[0].feet;
     return std::count_if(feet.begin(), feet.end(), [](const Point& foot) { return foot.z > 0.5; });
   };
   EXPECT_EQ(on_speck(4, 4), 0);
   EXPECT_EQ(on_speck(5, 0), 5);
+  const OverlapOptions most_decide{.max_unmatched_share = 0.6};
+  EXPECT_EQ(on_speck(16, 16, most_decide), 0);
+  EXPECT_EQ(on_speck(20, 0, most_decide), 20);
+  EXPECT_EQ(on_speck(24, 16, most_decide), 40);
 }
 
 // By either rule; it does not count as a point above a facet that faces away.
