@@ -58,6 +58,7 @@ class Watch {
       throw UsageError(session_.file() + ": this name is kept for the lock of " + arguments.mesh +
                        "; name another one");
     }
+    require_readable_again(arguments.model);
     require_folder(arguments.folder);
     folder_.require_readable();
     constexpr std::size_t most_notes = std::numeric_limits<std::uint32_t>::max();
@@ -70,7 +71,7 @@ class Watch {
     const LockFile mesh_lock(arguments_.mesh);  // by whatever session
     try {
       findings_are_due_ = session_.begin();
-    } catch (const Error&) {  // a signal interrupts the system, too, when it waits for a pipe
+    } catch (const Cancelled&) {
       if (arguments_.once || !interrupted()) throw;
       say("stopped before it watched; no file was changed");
       return false;

@@ -24,10 +24,10 @@ void Checksum::add(std::string_view bytes) {
   num_begun_ = bytes.size();
 }
 
-std::uint64_t checksum_of(std::string text) {
-  text.resize(round_up_to_8(text.size()), '\0');
+std::uint64_t checksum_of(std::string_view bytes) {
   Checksum checksum;
-  checksum.add(text);
+  checksum.add(bytes);
+  checksum.add(std::string(round_up_to_8(bytes.size()) - bytes.size(), '\0'));
   return checksum.value();
 }
 

@@ -42,8 +42,8 @@ class Checksum {
   std::size_t num_begun_ = 0;
 };
 
-// Of a text, with zero bytes up to a multiple of 8. Complexity: O(bytes).
-std::uint64_t checksum_of(std::string text);
+// Of bytes, with zeros up to a multiple of 8. Complexity: O(bytes).
+std::uint64_t checksum_of(std::string_view bytes);
 
 // Writes such a file; it appears complete or not at all (atomic_file.h). Errors: FileError.
 class SummedFile {

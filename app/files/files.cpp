@@ -230,6 +230,13 @@ void require_possible_name(const std::string& path) {
   }
 }
 
+void require_readable_again(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) return;
+  throw FileError(path + ": is no regular file, and has to be read more than once; copy it to one");
+}
+
 void require_folder(const std::string& path) {
   require_possible_name(path);
   std::error_code ignored;

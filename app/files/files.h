@@ -46,6 +46,9 @@ std::filesystem::path place_of(const std::filesystem::path& path);
 // Throws FileError if there can be no file of this name: it is too long, or a loop of links.
 void require_possible_name(const std::string& path);
 
+// Throws FileError if it is there and cannot be read more than once: a pipe, a terminal.
+void require_readable_again(const std::string& path);
+
 // Throws FileError if there is no such folder.
 void require_folder(const std::string& path);
 

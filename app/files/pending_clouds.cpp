@@ -31,7 +31,7 @@ enum Bits : std::uint32_t { has_rho = 1, is_refused = 2, keeps_crowded = 4 };
 std::uint64_t history_of(std::span<const std::string> notes) {
   std::string text;
   for (const std::string& note : notes) text += note + "\n";
-  return checksum_of(std::move(text));
+  return checksum_of(text);
 }
 
 // What the header says of one cloud.
@@ -112,7 +112,8 @@ void require_none_behind(const std::string& session, std::size_t notes) {
   const std::string missing = std::to_string(notes);
   std::optional<FoundCloud> next;
   for (const FoundCloud& file : pending_cloud_files(session)) {
-    if (file.is_behind(missing) && (!next || next->is_behind(file.number))) next = file;
+    if (!file.is_behind(missing) || !begins_with_magic(file.path)) continue;
+    if (!next || next->is_behind(file.number)) next = file;
   }
   if (!next) return;
   throw file_error(pending_cloud_file(session, notes),

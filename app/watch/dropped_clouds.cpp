@@ -35,10 +35,11 @@ std::string told_applied(const DroppedClouds& dropped, const SessionUpdate& upda
                          const CloudFilter& filter, const UpdateOptions& options) {
   const UpdateResult& result = update.result;
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - dropped.start;
-  std::string line = fmt::format(
-      "{}: {} points for {} of the model, {} triangles new, {} gone, {:.2f} s", dropped.name(),
-      result.reconstruction.points - result.replacement.kept, result.replacement.replaced,
-      update.change.added.size(), update.change.removed.size(), time.count());
+  std::string line =
+      fmt::format("{}: {} points for {} of the model, {} triangles new, {} gone, {:.2f} s",
+                  dropped.name(), result.reconstruction.points - result.replacement.vertices.kept,
+                  result.replacement.vertices.replaced, update.change.added.size(),
+                  update.change.removed.size(), time.count());
   const std::string topology = topology_change(result);
   if (!topology.empty()) line += "; " + topology;
   if (filter.thin) {

@@ -22,7 +22,7 @@ constexpr std::string_view applied_at_any_time = "cloud ";
 
 std::string content_of(const fs::path& path) {
   const FileBytes file = read_file(path);
-  return fmt::format("{:016x}-{}", checksum_of(std::string(file.view())), file.size);
+  return fmt::format("{:016x}-{}", checksum_of(file.view()), file.size);
 }
 
 // All bytes of the name, so that other files have other notes; but a note is one line.

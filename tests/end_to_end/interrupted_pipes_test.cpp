@@ -49,12 +49,14 @@ TEST_F(InterruptedPipes, ThatNobodyWritesOrReadsAreGivenUp) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-TEST_F(InterruptedPipes, WatchStopsAsItDoesElsewhere) {
+// It reads its model again when it resumes.
+TEST_F(InterruptedPipes, WatchTakesNone) {
   std::filesystem::create_directory(folder_ / "scans");
-  const ProgramRun run = interrupted_while_it_opens(
-      {"watch", make_pipe("model.xyz"), folder_.file("scans"), "-o", folder_.file("live.ply")});
-  EXPECT_EQ(run.exit_code, 0) << run.signal << run.error;
-  EXPECT_NE(run.out.find("stopped before it watched"), std::string::npos) << run.out;
+  const std::string model = make_pipe("model.xyz");
+  const ProgramRun run =
+      run_program({"watch", model, folder_.file("scans"), "-o", folder_.file("live.ply")});
+  EXPECT_EQ(run.exit_code, 1) << run.error;
+  EXPECT_EQ(run.error.find("cocoon: " + model + ": is no regular file"), 0U) << run.error;
 }
 
 // Whichever the second signal is.
