@@ -20,6 +20,6 @@ int main() {
                 group.mean_angle_deg(), group.under_cloud ? "replaced" : "kept");
   }
   std::printf("%zu points replaced, %zu triangles in the updated model\n",
-              update.replacement.replaced, update.mesh.triangles.size());
+              update.replacement.vertices.replaced, update.mesh.triangles.size());
   return update.replaced_groups.size() == 1 ? 0 : 1;
 }

@@ -56,6 +56,6 @@ int main() {
       cocoon::reconstruct_tight_with_labels(replacement.points, kept.told().labels).mesh;
 
   std::printf("%zu facets under the rim, %zu points replaced, %zu triangles\n",
-              overlap.facets.size(), replacement.replaced, updated.triangles.size());
+              overlap.facets.size(), replacement.vertices.replaced, updated.triangles.size());
   return updated == cocoon::update_model(model, clouds).mesh ? 0 : 1;
 }
