@@ -162,8 +162,8 @@ std::string try_dense(Job& job, const UpdateInput& input, const UpdateOutcome& o
   try {
     dense.input = with_dense_model(job, input, spacing, options.reconstruct);
     dense.outcome = updated(job, dense.input, options);
-  } catch (const InputError&) {
-    return made_dense + "has no surface";
+  } catch (const InputError& error) {
+    return made_dense + fmt::format("is of no use ({})", error.what());
   }
   const UpdateResult& result = dense.outcome.update.result;
   if (result.status != UpdateStatus::ok) {

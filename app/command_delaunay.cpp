@@ -33,7 +33,7 @@ void run(const DelaunayArguments& arguments, Job& job) {
   const Triangulation triangulation = canonical_order(std::move(result.triangulation));
   if (arguments.verify) {
     const DelaunayReport verified = timed(job.execution(), "verify", [&] {
-      return check_delaunay(triangulation, {}, {job.shared().threads, nullptr});
+      return check_delaunay(triangulation, {job.shared().threads, nullptr});
     });
     report_verification(job.report(), arguments.points, triangulation.num_finite_cells(), verified);
   }

@@ -141,7 +141,7 @@ bool agree(const Ours& ours, const TriangleMesh& threaded, const ref::CgalUpdate
   const TriangleMesh& mesh = ours.result.mesh;
   std::size_t rim = 0;
   for (const CloudReport& cloud : ours.result.clouds) rim += cloud.boundary_points;
-  const std::size_t replaced = ours.result.replacement.replaced;
+  const std::size_t replaced = ours.result.replacement.vertices.replaced;
   const std::size_t common = bench::common_triangles(mesh, cgal.mesh);
   std::printf(
       "%-12s %zu points; ours / CGAL: %zu / %zu rim points, %zu / %zu replaced, %zu / %zu "

@@ -48,6 +48,11 @@ inline bool is_poor(const Triangulation& triangulation, const VertexSet& good, C
   return !has_vertex_in(good, triangulation.cell(c));
 }
 
+// Whether a good vertex has not told the sides of the surface apart. O(1).
+inline bool is_unvisited(const CellMarks& marks, VertexId v) {
+  return marks.good[v] != 0 && marks.visited[v] == 0;
+}
+
 // Whether it is told beforehand on which side a finite cell is: nothing else is to decide that.
 // O(1).
 inline bool is_known(const CellMarks& marks, CellId c) {

@@ -9,19 +9,20 @@
 
 #include "cocone/kept/certain_result.h"
 #include "cocone/kept/certified_surface.h"
-#include "cocone/kept/compact_delaunay.h"
 #include "cocone/kept/kept_labels.h"
 #include "cocone/kept/kept_stages.h"
+#include "cocone/kept/kept_state.h"
 #include "cocone/kept/points_at_vertices.h"
 #include "cocone/live/judge_points.h"
 #include "cocone/live/known_candidates.h"
-#include "cocone/live/lent_delaunay.h"
 #include "cocone/live/live_candidates.h"
 #include "cocone/live/point_step.h"
 #include "cocone/live/reconstruct_stages.h"
 #include "cocone/steps/reconstruct_and_keep.h"
 #include "cocone/steps/triangulate_points.h"
+#include "delaunay/compact_delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
+#include "delaunay/lent_delaunay.h"
 #include "geom/arrays/sort_ids.h"
 #include "geom/errors.h"
 #include "geom/id_vector.h"
@@ -87,7 +88,7 @@ struct DynamicTightCocone::State {
                    const DelaunayChange& done, const Execution& execution, const OldSurface& old);
   CertainView view() const { return {delaunay, vertex_of_point, candidates, certified}; }
   SurfaceEdit surface_edit(const ListEdit<PointId>& points, std::span<const VertexId> touched,
-                           std::span<const std::array<VertexId, 3>> triangles);
+                           std::span<const Triangle> triangles);
 };
 
 void DynamicTightCocone::State::take(std::size_t count, Triangulation triangulation) {
@@ -306,7 +307,7 @@ ReconstructResult DynamicTightCocone::State::run_later_stages(Points points, con
 // After a change from one smooth mesh to another one, once the points of what went are forgotten.
 DynamicTightCocone::SurfaceEdit DynamicTightCocone::State::surface_edit(
     const ListEdit<PointId>& points, std::span<const VertexId> touched,
-    std::span<const std::array<VertexId, 3>> triangles) {
+    std::span<const Triangle> triangles) {
   SurfaceEdit edit;
   for (const PointId p : points.removed) edit.touched.push_back(VertexId(p.value));
   for (const VertexId v : touched) {
@@ -372,14 +373,14 @@ void DynamicTightCocone::take(Points points, Snapshot snapshot) {
 DynamicTightCocone::Snapshot DynamicTightCocone::snapshot() const {
   const State& state = *state_;
   CompactDelaunay whole = compact_delaunay(state.delaunay, state.vertex_of_point);
-  SurfaceState surface = surface_state(state.candidates, state.certified, state.kept, whole);
+  SurfaceState surface = kept_state(state.candidates, state.certified, state.kept, whole);
   return {std::move(whole.triangulation), std::move(surface)};
 }
 
 DynamicTightCocone::Snapshot DynamicTightCocone::release() && {
   State& state = *state_;
   CompactDelaunay whole = compact_delaunay(std::move(state.delaunay), state.vertex_of_point);
-  SurfaceState surface = surface_state(state.candidates, state.certified, state.kept, whole);
+  SurfaceState surface = kept_state(state.candidates, state.certified, state.kept, whole);
   state.clear(0);
   return {std::move(whole.triangulation), std::move(surface)};
 }

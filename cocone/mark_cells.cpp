@@ -104,22 +104,23 @@ void demote_refuted(const Triangulation& triangulation, const FacetSet& surface,
 }
 
 // Good vertices that no mark reached, on parts of the surface that the labeled cells touch.
-void demote_unvisited(const Triangulation& triangulation, const FacetSet& surface,
-                      const IdVector<CellId, CellLabel>& labels, CellMarks& marks) {
-  const auto is_unvisited = [&](VertexId v) { return marks.good[v] != 0 && marks.visited[v] == 0; };
+void demote_unvisited_beside(const IdVector<CellId, CellLabel>& labels,
+                             const Triangulation& triangulation, const FacetSet& surface,
+                             CellMarks& marks) {
   DisjointSets parts(triangulation.num_vertices());
   surface.for_each(triangulation, [&](FacetId f) {
-    join_good(parts, triangulation.facet_vertices(f), is_unvisited);
+    join_good(parts, triangulation.facet_vertices(f),
+              [&](VertexId v) { return is_unvisited(marks, v); });
   });
   std::vector<std::uint8_t> is_touched(triangulation.num_vertices(), 0);  // by the root of a part
   for (const CellId c : triangulation.finite_cells()) {
     if (labels[c] == CellLabel::unmarked) continue;
     for (const VertexId v : triangulation.cell(c).vertices) {
-      if (is_unvisited(v)) is_touched[parts.root(v.value)] = 1;
+      if (is_unvisited(marks, v)) is_touched[parts.root(v.value)] = 1;
     }
   }
   for (const VertexId v : marks.good.ids()) {
-    if (is_unvisited(v) && is_touched[parts.root(v.value)] != 0) demote(v, marks);
+    if (is_unvisited(marks, v) && is_touched[parts.root(v.value)] != 0) demote(v, marks);
   }
 }
 
@@ -196,7 +197,7 @@ CellMarks mark_undoubted_cells(const Triangulation& triangulation, const LinkedF
   CarriedMarks carried = carry();
   demote_refuted(triangulation, surface.set, known, carried, marks, execution);
   if (marks.refuted_vertices > 0) carried = carry();
-  demote_unvisited(triangulation, surface.set, likely, marks);
+  demote_unvisited_beside(likely, triangulation, surface.set, marks);
   if (!carried.disputed.empty()) {
     const BeforeTheRounds before = before_the_rounds(triangulation, marks);
     settle_disputes(triangulation, surface, good.corner_at, carried, before.seeds, before.labels,

@@ -18,7 +18,7 @@ namespace {
 
 struct DeferredSeed {
   FacetSize size;
-  FacetId facet;  // seen from the unvisited cell
+  FacetId facet;  // seen from the deferred cell
 
   // For a max-heap: larger circle first, then lexicographically smaller corners.
   friend bool operator<(const DeferredSeed& a, const DeferredSeed& b) {
@@ -138,7 +138,7 @@ class Peeling {
 
   bool has_unvisited_vertex(CellId c) const {
     for (const VertexId v : triangulation_.cell(c).vertices) {
-      if (v != infinite_vertex && marks_.good[v] != 0 && marks_.visited[v] == 0) return true;
+      if (v != infinite_vertex && is_unvisited(marks_, v)) return true;
     }
     return false;
   }
@@ -169,8 +169,8 @@ class Peeling {
         if (marks_.reached[behind] != 0) continue;
         if (may_cross(facet_id(c, i), behind)) {
           reach(behind);
-        } else if (is_unvisited(behind) && !surface_.contains(mirror)) {
-          unvisited_.push_back(mirror);
+        } else if (is_deferred(behind) && !surface_.contains(mirror)) {
+          deferred_.push_back(mirror);
         }
       }
     }
@@ -179,13 +179,12 @@ class Peeling {
   // Good vertices that had no turn.
   void list_seeds(CellId c) {
     for (const VertexId v : triangulation_.cell(c).vertices) {
-      if (v == infinite_vertex) continue;
-      if (marks_.good[v] != 0 && marks_.visited[v] == 0) seeds_.push_back(v);
+      if (v != infinite_vertex && is_unvisited(marks_, v)) seeds_.push_back(v);
     }
   }
 
-  // With good vertices that had no turn.
-  bool is_unvisited(CellId c) const {
+  // Its good vertices had no turn.
+  bool is_deferred(CellId c) const {
     return marks_.reached[c] == 0 && marks_.labels[c] == CellLabel::unmarked && poor_[c] == 0;
   }
 
@@ -215,7 +214,7 @@ class Peeling {
     for (const CellId c : triangulation_.finite_cells()) {
       if (marks_.labels[c] != CellLabel::in) continue;
       for (const VertexId v : triangulation_.cell(c).vertices) {
-        if (marks_.good[v] != 0 && marks_.visited[v] == 0) inner.push_back(v);
+        if (is_unvisited(marks_, v)) inner.push_back(v);
       }
     }
     std::vector<CellId> out_cells;
@@ -226,16 +225,16 @@ class Peeling {
     return !inner.empty();
   }
 
-  // False if no unvisited cell lies next to a reached one.
+  // False if no deferred cell lies next to a reached one.
   bool plant_deferred_seed() {
-    for (const FacetId f : unvisited_) {
-      if (is_unvisited(cell_of(f))) heap_.push({size_of_facet(triangulation_, f), f});
+    for (const FacetId f : deferred_) {
+      if (is_deferred(cell_of(f))) heap_.push({size_of_facet(triangulation_, f), f});
     }
-    unvisited_.clear();
+    deferred_.clear();
     while (!heap_.empty()) {
       const CellId c = cell_of(heap_.top().facet);
       heap_.pop();
-      if (!is_unvisited(c)) continue;
+      if (!is_deferred(c)) continue;
       ++marks_.deferred_seeds;
       reach(c);
       return true;
@@ -265,7 +264,7 @@ class Peeling {
   FacetSet stops_;
   std::vector<CellId> stack_;
   std::vector<VertexId> seeds_;
-  std::vector<FacetId> unvisited_;  // seen from the unvisited cell
+  std::vector<FacetId> deferred_;  // seen from the deferred cell
   std::priority_queue<DeferredSeed> heap_;
 };
 

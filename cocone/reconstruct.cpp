@@ -22,7 +22,7 @@ ReconstructResult tight_surface(const ReconstructInput& input, const DelaunayCou
   made.result.counters.delaunay = counters;
   FoundSurface found = find_surface(input, made.result.counters, nullptr, execution);
   close_surface(input, found, known, {}, made, execution);
-  verify_result(input, true, made, execution);
+  verify_result(input, SurfaceKind::closed, made, execution);
   return std::move(made.result);
 }
 
@@ -106,7 +106,7 @@ ReconstructResult reconstruct_cocone(Points points, const ReconstructOptions& op
     counters.non_orientable_components = orient_surface(made.result.mesh).non_orientable;
     canonicalize_triangles(made.result.mesh, nested);
   });
-  verify_result(input, false, made, execution);
+  verify_result(input, SurfaceKind::open, made, execution);
   return std::move(made.result);
 }
 

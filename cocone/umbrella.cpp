@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cocone/inputs/stage_inputs.h"
+#include "geom/arrays/sort_by_vertex.h"
 #include "geom/messages/require_size.h"
 #include "geom/parallel/parallel_list.h"
 
@@ -105,18 +106,18 @@ std::vector<std::uint32_t> triangles_at(const LinkedFacets& triangles, const Ver
 }
 
 Fans fans_at(const LinkedFacets& triangles, const VertexSet& flags) {
-  Fans fans{std::vector<std::uint32_t>(flags.size() + 2, 0), {}};
   const std::vector<std::uint32_t> found = triangles_at(triangles, flags);
-  for (const std::uint32_t t : found) {
-    for (const VertexId v : triangles.corners[t]) fans.begins[v.index() + 2] += flags[v];
-  }
-  for (std::size_t v = 2; v < fans.begins.size(); ++v) fans.begins[v] += fans.begins[v - 1];
-  fans.triangles.resize(fans.begins.back());
-  for (const std::uint32_t t : found) {
-    for (const VertexId v : triangles.corners[t]) {
-      if (flags[v] != 0) fans.triangles[fans.begins[v.index() + 1]++] = t;
-    }
-  }
+  Fans fans;
+  fans.begins = sort_by_vertex(
+      found.size(), flags.size(), {}, [&](std::size_t count) { fans.triangles.resize(count); },
+      [&](std::size_t begin, std::size_t end, const auto& put) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const auto write = [&](std::uint32_t place) { fans.triangles[place] = found[k]; };
+          for (const VertexId v : triangles.corners[found[k]]) {
+            if (flags[v] != 0) put(v, write);
+          }
+        }
+      });
   return fans;
 }
 

@@ -60,7 +60,7 @@ bool is_well_formed(const Triangulation& triangulation, CellId c) {
 }
 
 // The same triangle, seen from its two sides.
-bool are_two_sides(const std::array<VertexId, 3>& a, const std::array<VertexId, 3>& b) {
+bool are_two_sides(const Triangle& a, const Triangle& b) {
   const auto k = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
   return k < 3 && b[(k + 1) % 3] == a[2] && b[(k + 2) % 3] == a[1];
 }
@@ -247,25 +247,9 @@ void check_geometry(const Triangulation& triangulation, DelaunayReport& report,
       });
 }
 
-void check_every_pair(const Triangulation& triangulation, DelaunayReport& report,
-                      const Execution& execution) {
-  report.every_pair_tested = true;
-  report.occupied_pairs =
-      run_tests(execution, triangulation.num_finite_cells(), report,
-                [&](std::size_t i, Violations& violations) {
-                  const CellId c(i);
-                  for (const VertexId v : triangulation.vertices()) {
-                    if (has_vertex(triangulation.cell(c), v) || !is_in_sphere(triangulation, c, v))
-                      continue;
-                    violations.add("cell", i, "has a vertex inside its circumsphere");
-                  }
-                });
-}
-
 }  // namespace
 
-DelaunayReport check_delaunay(const Triangulation& triangulation,
-                              const CheckDelaunayOptions& options, const Execution& execution) {
+DelaunayReport check_delaunay(const Triangulation& triangulation, const Execution& execution) {
   DelaunayReport report;
   report_progress(execution, "check_delaunay", 0);
   if (triangulation.num_finite_cells() == 0) {
@@ -279,9 +263,6 @@ DelaunayReport check_delaunay(const Triangulation& triangulation,
     check_vertices(triangulation, report, execution);
     report_progress(execution, "check_delaunay", 0.4);
     check_geometry(triangulation, report, execution);
-    if (report.misoriented_cells == 0 && triangulation.num_vertices() <= options.every_pair_up_to) {
-      check_every_pair(triangulation, report, execution);
-    }
   }
   report_progress(execution, "check_delaunay", 1);
   return report;

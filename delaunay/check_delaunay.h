@@ -9,12 +9,6 @@
 
 namespace cocoon {
 
-struct CheckDelaunayOptions {
-  // Up to this many vertices every finite cell is also tested against every vertex. Nothing new
-  // follows from that, see below; it checks the checker.
-  std::size_t every_pair_up_to = 0;
-};
-
 // How often each property is violated. All decisions are exact.
 struct DelaunayReport {
   std::size_t malformed_cells = 0;     // vertex out of range, repeated, or infinite in a wrong slot
@@ -28,8 +22,6 @@ struct DelaunayReport {
                                        // together like a sphere (by Euler's relation)
   std::size_t vertices_without_point = 0;  // no input point was mapped to them
   std::size_t occupied_spheres = 0;  // facets between finite cells that are not locally Delaunay
-  std::size_t occupied_pairs = 0;    // of the test of every pair
-  bool every_pair_tested = false;
   // The first violation, one line; empty if there is none. The same for every thread count.
   std::string first_violation;
 
@@ -50,13 +42,11 @@ struct DelaunayReport {
 //   4. The perturbed Delaunay triangulation is unique: what passes is THE one of its points.
 //
 // If cells are malformed or neighbors are broken, only that is reported: the rest cannot be read.
-// Complexity: O(cells) for bounded vertex degrees, with every_pair_up_to O(cells * vertices).
+// Complexity: O(cells) for bounded vertex degrees.
 // Deterministic for any thread count. Source: Mehlhorn et al., Checking geometric programs or
 // verification of geometric structures (1999), for the ray; Devillers, Liotta, Preparata &
 // Tamassia, Checking the convexity of polytopes and the planarity of subdivisions (1998), for
 // certifying by local tests.
-DelaunayReport check_delaunay(const Triangulation& triangulation,
-                              const CheckDelaunayOptions& options = {},
-                              const Execution& execution = {});
+DelaunayReport check_delaunay(const Triangulation& triangulation, const Execution& execution = {});
 
 }  // namespace cocoon

@@ -93,7 +93,7 @@ Location locate(const TriangulationView& triangulation, const Point& p, CellId h
   } else {
     // The face is spanned by the vertices whose opposite facets do not contain p.
     for (std::size_t i = 0; i < 4; ++i) {
-      const std::array<VertexId, 3> facet =
+      const Triangle facet =
           triangulation.facet_vertices(facet_id(location.cell, static_cast<int>(i)));
       if (orient3d(triangulation.point(facet[0]), triangulation.point(facet[1]),
                    triangulation.point(facet[2]), p) != Sign::zero) {

@@ -7,9 +7,11 @@
 #include <span>
 #include <vector>
 
+#include "delaunay/circulate.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/vertex_stars.h"
 #include "geom/arrays/zeroed_array.h"
+#include "geom/execution.h"
 #include "geom/id_vector.h"
 
 namespace cocoon {
@@ -62,5 +64,22 @@ class StarCache {
   std::optional<VertexStars> all_;
   ZeroedArray<CellId, std::uint8_t> seen_;  // scratch, zero between questions
 };
+
+// Calls visit(v) for each of the vertices, whose stars are asked for ahead (visit_stars): on all
+// threads if these may share the cache (StarCache::expect), else on one. What visit() changes must
+// be of v alone. Complexity: as many questions as vertices.
+template <class Visit>
+void visit_stars_in_parallel(const Triangulation& triangulation, StarCache& stars,
+                             std::span<const VertexId> vertices, const Execution& execution,
+                             const Visit& visit) {
+  constexpr std::size_t vertices_per_chunk = 1024;
+  const Execution shared = stars.expect(vertices.size()) ? execution : Execution{};
+  const auto vertex_at = [&](std::size_t k) { return vertices[k]; };
+  parallel_chunks(shared, vertices.size(), vertices_per_chunk,
+                  [&](std::size_t begin, std::size_t end) {
+                    visit_stars(triangulation, stars, begin, end, vertex_at,
+                                [&](std::size_t k) { visit(vertices[k]); });
+                  });
+}
 
 }  // namespace cocoon

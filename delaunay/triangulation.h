@@ -52,7 +52,7 @@ inline constexpr std::size_t max_cells = (std::size_t{1} << 30) - 1;
 // Vertices of facet i of a positively oriented cell, such that the normal
 // (p1 - p0) x (p2 - p0) points out of the cell (away from vertex i).
 inline constexpr int facet_corners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-constexpr std::array<VertexId, 3> facet_vertices(const Cell& cell, int i) {
+constexpr Triangle facet_vertices(const Cell& cell, int i) {
   const int* corner = facet_corners[i];
   return {cell.vertices[static_cast<std::size_t>(corner[0])],
           cell.vertices[static_cast<std::size_t>(corner[1])],
@@ -117,7 +117,7 @@ class Triangulation {
   bool is_finite_facet(FacetId f) const { return !is_infinite(cell_of(f)) || index_of(f) == 3; }
   // The three vertices, ordered so that the normal points out of cell_of(f). For a facet of an
   // infinite cell only facet 3 is finite; its normal points into the hull.
-  std::array<VertexId, 3> facet_vertices(FacetId f) const {
+  Triangle facet_vertices(FacetId f) const {
     return cocoon::facet_vertices(arrays_.cells[cell_of(f)], index_of(f));
   }
   // The vertex of cell_of(f) that is not on f.

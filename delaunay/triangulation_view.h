@@ -32,7 +32,7 @@ class TriangulationView {
   FacetId canonical(FacetId f) const { return canonical_of(*cells_, f); }
   bool is_finite_facet(FacetId f) const { return !is_infinite(cell_of(f)) || index_of(f) == 3; }
   // The three vertices, ordered so that the normal points out of cell_of(f).
-  std::array<VertexId, 3> facet_vertices(FacetId f) const {
+  Triangle facet_vertices(FacetId f) const {
     return cocoon::facet_vertices((*cells_)[cell_of(f)], index_of(f));
   }
 

@@ -1,6 +1,8 @@
 // Distinct 32-bit id types: an id of one kind cannot index an array of another kind.
 #pragma once
 
+#include <array>
+#include <cassert>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -17,8 +19,10 @@ struct Id {
 
   constexpr Id() = default;
   constexpr explicit Id(std::uint32_t v) : value(v) {}
-  constexpr explicit Id(std::size_t v) : value(static_cast<std::uint32_t>(v)) {}
-  constexpr explicit Id(int v) : value(static_cast<std::uint32_t>(v)) {}
+  constexpr explicit Id(std::size_t v) : value(static_cast<std::uint32_t>(v)) {
+    assert(v <= none_value);
+  }
+  constexpr explicit Id(int v) : value(static_cast<std::uint32_t>(v)) { assert(v >= 0); }
 
   constexpr bool is_none() const { return value == none_value; }
   constexpr std::size_t index() const { return value; }
@@ -35,6 +39,9 @@ using CellId = Id<struct CellTag>;          // a tetrahedron (finite or infinite
 using FacetId = Id<struct FacetTag>;        // 4 * cell + i: facet i of a cell, seen from that cell
 using TriangleId = Id<struct TriangleTag>;  // a triangle of a mesh
 using RegionId = Id<struct RegionTag>;      // a part of a segmented mesh
+
+// The corners of a triangle of a mesh, or of a facet of a triangulation.
+using Triangle = std::array<VertexId, 3>;
 
 // Half-open range of ids, for `for (VertexId v : id_range<VertexId>(n))`. Complexity: O(1).
 template <class IdType>

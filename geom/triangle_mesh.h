@@ -12,9 +12,7 @@
 
 namespace cocoon {
 
-// Three vertices, counterclockwise seen from outside.
-using Triangle = std::array<VertexId, 3>;
-
+// Triangles are counterclockwise as seen from outside.
 struct TriangleMesh {
   IdVector<VertexId, Point> points;
   IdVector<TriangleId, Triangle> triangles;

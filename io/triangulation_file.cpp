@@ -239,7 +239,7 @@ Triangulation load_triangulation(const std::filesystem::path& path,
   file.finish();
   Triangulation triangulation = checked_triangulation(path, std::move(unchecked), execution);
   if (options.certify) {
-    const DelaunayReport report = check_delaunay(triangulation, {}, execution);
+    const DelaunayReport report = check_delaunay(triangulation, execution);
     if (!report.ok()) {
       throw file_error(path, "this is no Delaunay triangulation: " + report.first_violation);
     }

@@ -15,14 +15,17 @@ namespace {
 using CellVertices = std::array<VertexId, 4>;
 
 // Precondition: orient3d of the cell > 0.
-bool has_empty_sphere(const IdVector<VertexId, Point>& points, const CellVertices& cell) {
+bool is_in_sphere(const IdVector<VertexId, Point>& points, const CellVertices& cell, VertexId e) {
   const auto& [a, b, c, d] = cell;
+  if (e == a || e == b || e == c || e == d) return false;
+  return insphere_perturbed(points[a], points[b], points[c], points[d], points[e]) ==
+         Sign::positive;
+}
+
+// Precondition: orient3d of the cell > 0.
+bool has_empty_sphere(const IdVector<VertexId, Point>& points, const CellVertices& cell) {
   for (const VertexId e : points.ids()) {
-    if (e == a || e == b || e == c || e == d) continue;
-    if (insphere_perturbed(points[a], points[b], points[c], points[d], points[e]) ==
-        Sign::positive) {
-      return false;
-    }
+    if (is_in_sphere(points, cell, e)) return false;
   }
   return true;
 }
@@ -51,6 +54,16 @@ Triangulation brute_force_delaunay(Points points) {
   }
   if (coplanar) throw InputError("all points lie in one plane: no triangulation of space");
   return triangulation_of_cells(std::move(distinct), std::move(cells));
+}
+
+std::size_t occupied_pairs(const Triangulation& triangulation) {
+  std::size_t pairs = 0;
+  for (const CellId c : triangulation.finite_cells()) {
+    for (const VertexId v : triangulation.vertices()) {
+      if (is_in_sphere(triangulation.points(), triangulation.cell(c).vertices, v)) ++pairs;
+    }
+  }
+  return pairs;
 }
 
 }  // namespace cocoon::ref

@@ -1,6 +1,8 @@
 // The Delaunay triangulation straight from its definition, to read first and to test against.
 #pragma once
 
+#include <cstddef>
+
 #include "delaunay/triangulation.h"
 #include "geom/point.h"
 
@@ -13,5 +15,10 @@ namespace cocoon::ref {
 // Complexity: O(n^5); meant for n <= 30.
 // Source: Delaunay 1934.
 Triangulation brute_force_delaunay(Points points);
+
+// Pairs of a finite cell and a vertex inside its circumsphere (ties by insphere_perturbed): a
+// triangulation is Delaunay iff there are none. Precondition: cells are positively oriented.
+// Complexity: O(cells * vertices).
+std::size_t occupied_pairs(const Triangulation& triangulation);
 
 }  // namespace cocoon::ref

@@ -31,7 +31,7 @@ void make_canonical(CellVertices& vertices) {
 
 // One of the two views of a facet.
 struct FacetView {
-  std::array<VertexId, 3> sorted_vertices;
+  Triangle sorted_vertices;
   FacetId facet;
 
   friend auto operator<=>(const FacetView&, const FacetView&) = default;

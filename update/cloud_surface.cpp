@@ -266,11 +266,10 @@ class Search {
 // Goes over to few of samples in rows, and to their surface, unless they cannot be triangulated.
 void look_at_few_of_rows(const CloudSurfaceOptions& options, const Execution& execution,
                          KeptSamples& samples, Sheet& sheet) {
-  std::optional<KeptSamples> few =
-      thinned(samples,
-              thin_out_rows(samples.cloud, sheet.surface.mesh, sheet.surface.point_of_vertex,
-                            options.rows.spread),
-              options, execution);
+  std::optional<KeptSamples> few = thinned(
+      samples,
+      thin_out_rows(samples.cloud, sheet.surface.mesh, sheet.surface.point_of_vertex, options.rows),
+      options, execution);
   if (!few) return;
   sheet = find_sheet(few->foundation, options.start, options, execution);
   samples = *std::move(few);
@@ -299,7 +298,7 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   samples.duplicates = samples.foundation.triangulation.num_duplicates();
   Sheet sheet = find_sheet(samples.foundation, options.start, options, execution);
   const SpacingRange spacing = spacing_range(sheet.surface.mesh);
-  if (lies_in_rows(sheet.surface.mesh, options.rows.min_ratio)) {
+  if (lies_in_rows(sheet.surface.mesh, options.rows)) {
     look_at_few_of_rows(options, execution, samples, sheet);
   }
   Search search(options, execution);

@@ -73,9 +73,10 @@ class Gaze {
     };
     const Vec3 way = facet - w.place;
     const double length = norm(way);
-    const Vec3 step = (0.5 * scan_.spacing / length) * way;
-    Point place = w.place + 2.0 * step;
-    for (double at = scan_.spacing; at < length; at += 0.5 * scan_.spacing) {
+    const double stride = options_.step * scan_.spacing;
+    const Vec3 step = (stride / length) * way;
+    Point place = w.place + (scan_.spacing / stride) * step;
+    for (double at = scan_.spacing; at < length; at += stride) {
       if (tree_->any_near(place, shelter, is_other_surface)) return true;
       place = place + step;
     }

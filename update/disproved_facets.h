@@ -31,6 +31,8 @@ struct DisprovedOptions {
   // A sample this near to the way between, and at least as far above or below the one that looks,
   // is another surface before the facet.
   double shelter = 0.75;
+  // The way is looked at in steps of this length, less than `shelter`. From 0.01 to 10.
+  double step = 0.5;
   // The samples asked at first keep this distance. 0: all are asked.
   double apart = 2;
   // Of an island of the outside (island_spread.h) goes what is this near to disproved facets,

@@ -15,6 +15,9 @@ namespace cocoon {
 
 // Distances in those between nearest samples, of two clouds the larger one, of joined ones that of
 // the coarsest.
+// While clouds are joined nothing is taken that leaves a rim in doubt: none that lies in shadow
+// (ShadowOptions::max_unmatched_share), and no group by its mean against its samples
+// (ChoiceOptions::sure_margin). Each by itself, they are.
 struct JoinOptions {
   // Clouds overlap each other if at least this share of the samples of one of them is close to
   // samples of the other.

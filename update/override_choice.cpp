@@ -48,7 +48,10 @@ void settle(const RegionOverrides& overrides, RegionChoice& choice) {
   choice.replaced.resize(num_regions, 0);
 }
 
-void set_fate(std::span<const RegionId> regions, bool goes, RegionChoice& choice) {
+enum class Fate { kept, replaced };
+
+void set_fate(std::span<const RegionId> regions, Fate fate, RegionChoice& choice) {
+  const bool goes = fate == Fate::replaced;
   for (const RegionId r : regions) {
     choice.replaced[r] = goes ? 1 : 0;
     for (CloudChoice& cloud : choice.clouds) {
@@ -86,8 +89,8 @@ void override_choice(const RegionOverrides& overrides, RegionChoice& choice,
   if (!choice.kept_largest.is_none() && stays_another) {
     choice.replaced[std::exchange(choice.kept_largest, {})] = 1;
   }
-  set_fate(overrides.replaced, true, choice);
-  set_fate(overrides.kept, false, choice);
+  set_fate(overrides.replaced, Fate::replaced, choice);
+  set_fate(overrides.kept, Fate::kept, choice);
   if (std::count(choice.replaced.begin(), choice.replaced.end(), 0) == 0) {
     throw InputError("all groups would be replaced; keep one of them");
   }

@@ -78,9 +78,9 @@ std::vector<PointId> add_clouds(const ModelIndex& model, const ListEdit<VertexId
                                 std::span<const std::vector<Point>> clouds, Replacement& result) {
   result.points = gather(model.mesh().points.span(), edit, clouds);
   const std::vector<RepeatedPoint> repeated =
-      repeated_among(result.points, result.kept, model, edit);
+      repeated_among(result.points, result.vertices.kept, model, edit);
   result.duplicates = repeated.size();
-  result.kept_are_distinct = repeated.empty() || repeated.front().point >= result.kept;
+  result.kept_are_distinct = repeated.empty() || repeated.front().point >= result.vertices.kept;
   if (repeated.empty()) return {};
   return merge_equal(result.points, repeated);
 }
@@ -115,10 +115,10 @@ Replacement replace_by_all(const ModelIndex& index, ReplacedVertices vertices,
   ListEdit<VertexId> edit;
   edit.removed = std::move(vertices.removed);
   Replacement result{std::move(vertices), {}, {}, {}};
-  result.kept = edit.size_after(num_vertices);
+  result.vertices.kept = edit.size_after(num_vertices);
   const std::vector<PointId> new_position = add_clouds(index, edit, added, result);
   tell_positions(edit, num_vertices, added, new_position, result);
-  result.removed = std::move(edit.removed);
+  result.vertices.removed = std::move(edit.removed);
   return result;
 }
 

@@ -17,7 +17,8 @@
 
 namespace cocoon {
 
-struct Replacement : ReplacedVertices {
+struct Replacement {
+  ReplacedVertices vertices;
   // Kept vertices in the order of the model, then the clouds in the order given; of equal points
   // the first one. All coordinates are those of the input.
   std::vector<Point> points;

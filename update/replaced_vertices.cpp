@@ -64,10 +64,10 @@ std::optional<bool> told_by_regions(const ModelIndex& model, const Regions& regi
   bool goes = false;
   bool stays = false;
   bool at_rim = false;
-  for (const TriangleId t : model.triangles_at(v)) {
+  model.for_each_triangle_at(v, [&](TriangleId t) {
     const RegionId r = regions.region_of_facet[t];
     (r.is_none() ? at_rim : choice.replaced[r] != 0 ? goes : stays) = true;
-  }
+  });
   if (goes == stays || (stays && at_rim)) return std::nullopt;
   return goes;
 }
@@ -75,18 +75,17 @@ std::optional<bool> told_by_regions(const ModelIndex& model, const Regions& regi
 // Whether all regions around a vertex and its neighbors go, and there is one.
 bool is_enclosed(const ModelIndex& model, const Regions& regions, const RegionChoice& choice,
                  VertexId v) {
-  bool any = false;
-  for (const TriangleId t : model.triangles_at(v)) {
+  bool any_goes = false;
+  bool any_stays = false;
+  model.for_each_triangle_at(v, [&](TriangleId t) {
     for (const VertexId neighbor : model.mesh().triangles[t]) {
-      for (const TriangleId around : model.triangles_at(neighbor)) {
+      model.for_each_triangle_at(neighbor, [&](TriangleId around) {
         const RegionId r = regions.region_of_facet[around];
-        if (r.is_none()) continue;
-        if (choice.replaced[r] == 0) return false;
-        any = true;
-      }
+        if (!r.is_none()) (choice.replaced[r] != 0 ? any_goes : any_stays) = true;
+      });
     }
-  }
-  return any;
+  });
+  return any_goes && !any_stays;
 }
 
 // Of a vertex that regions do not tell about.

@@ -57,6 +57,8 @@ void require_options(const char* stage, const CloudSurfaceOptions& options) {
     require_number(stage, "cloud.layers.when_refused", times, 0.1, 10);
   }
   require_shares(stage, {{"cloud.max_seam_share", options.max_seam_share},
+                         {"cloud.rows.min_share", options.rows.min_share},
+                         {"cloud.rows.quantile", options.rows.quantile},
                          {"cloud.layers.max_seam_share", options.layers.max_seam_share}});
   require_options(stage, options.trim);
   require_options(stage, options.rim);
@@ -108,6 +110,7 @@ void require_options(const char* stage, const DisprovedOptions& options) {
                           {"cut.disproved.shelter", options.shelter},
                           {"cut.disproved.apart", options.apart},
                           {"cut.disproved.island_reach", options.island_reach}});
+  require_number(stage, "cut.disproved.step", options.step, 0.01, 10);
   require_shares(stage, {{"cut.disproved.island_share", options.island_share}});
   require_cosines(stage, {{"cut.disproved.min_side_cosine", options.min_side_cosine},
                           {"cut.disproved.min_cosine", options.min_cosine},
@@ -241,7 +244,8 @@ void require_options(const char* stage, const CrowdedOptions& options) {
                           {"crowded.min_thickness", options.min_thickness},
                           {"crowded.max_coarseness", options.max_coarseness},
                           {"crowded.max_width", options.max_width}});
-  require_shares(stage, {{"crowded.min_share", options.min_share}});
+  require_shares(stage, {{"crowded.min_share", options.min_share},
+                         {"crowded.max_lost_share", options.max_lost_share}});
 }
 
 void require_options(const char* stage, const UnusedChangeOptions& options) {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "cocone/dynamic_tight_cocone.h"
+#include "cocone/known_labels.h"
 #include "cocone/reconstruct.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
@@ -132,8 +132,8 @@ struct UpdateResult {
 // indices or a coordinate that is not finite, a model or cloud whose largest coordinate is not in
 // [2^-200, 2^200], options out of range (stage_options.h). Complexity: O(n log n) expected for n
 // points in all. Deterministic for any thread count; the order of model and clouds matters for
-// numbering only, and of several clouds that fail alike the first is named. Source: Woo & Dey 2005, section 3. What is decided otherwise and why:
-// docs/update.md.
+// numbering only, and of several clouds that fail alike the first is named. Source: Woo & Dey 2005,
+// section 3. What is decided otherwise and why: docs/update.md.
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateOptions& options = {}, const Execution& execution = {});
 

@@ -23,6 +23,10 @@ void require(bool condition, const char* what) {
 
 const UpdateOptions& checked(const UpdateOptions& options) {
   require_options("session", options);
+  if (!options.overrides.is_empty()) {
+    throw InputError(
+        "session: regions that go or stay are those of one update; give them with its clouds");
+  }
   return options;
 }
 
@@ -188,8 +192,8 @@ std::optional<ListEdit<PointId>> UpdateSession::edit_of_points(
   if (!model_is_surface_ || !points_are_vertices_) return {};
   if (!replacement.kept_are_distinct) return {};
   ListEdit<PointId> edit;
-  edit.removed.reserve(replacement.removed.size());
-  for (const VertexId v : replacement.removed) edit.removed.push_back(PointId(v.value));
+  edit.removed.reserve(replacement.vertices.removed.size());
+  for (const VertexId v : replacement.vertices.removed) edit.removed.push_back(PointId(v.value));
   const std::size_t kept = replacement.point_of_vertex.size() - edit.removed.size();
   for (std::size_t p = kept; p < replacement.points.size(); ++p) edit.added.push_back(PointId(p));
   return edit;

@@ -57,7 +57,8 @@ struct SessionUpdate {
 //
 // After any sequence of updates and undos model() is, bit for bit, what update_model gives when it
 // is called with the model from before and the same clouds; so are status, message, warnings and
-// counts, apart from those of the Delaunay kernel.
+// counts, apart from those of the Delaunay kernel. Options: InputError, too, for `overrides`, which
+// name regions of one update: they are given with its clouds.
 class UpdateSession {
  public:
   // The reconstruction of these points (reconstruct_tight_with_labels, if labels are known) is the
@@ -87,8 +88,7 @@ class UpdateSession {
   // Updates the model by clouds registered to it (update_model.h). Unless the status is ok, and if
   // it throws, the model stays as it is. Errors: as update_model.
   SessionUpdate apply(std::span<const std::vector<Point>> clouds, const Execution& execution = {});
-  // With regions that go or stay whatever their angles, in this update alone. Those of options()
-  // are left aside, here and above.
+  // With regions that go or stay whatever their angles, in this update alone.
   SessionUpdate apply(std::span<const std::vector<Point>> clouds, const RegionOverrides& overrides,
                       const Execution& execution = {});
 

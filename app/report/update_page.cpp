@@ -344,7 +344,7 @@ PageTable point_table(const UpdateRecord& record) {
   for (const auto& cloud : record.clouds) {
     table.rows.push_back({word("+ cloud"), number(cloud.size())});
   }
-  table.rows.push_back({word("\u2212 replaced"), number(replacement.replaced)});
+  table.rows.push_back({word("\u2212 replaced"), number(replacement.vertices.replaced)});
   if (replacement.left_out > 0) {
     table.rows.push_back({word("\u2212 left out, in layers"), number(replacement.left_out)});
   }

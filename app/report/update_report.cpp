@@ -157,16 +157,16 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   for (const CloudReport& cloud : result.clouds) report.append("update/clouds", cloud_entry(cloud));
   report.set("update/replaced_groups", numbers_of(result.replaced_groups));
   const Replacement& replacement = result.replacement;
-  report.set("update/replaced_points", replacement.replaced);
-  report.set("update/kept_points", replacement.kept);
-  report.set("update/border_kept", replacement.border_kept);
-  report.set("update/border_replaced", replacement.border_replaced);
-  report.set("update/enclosed_replaced", replacement.enclosed_replaced);
-  report.set("update/scanned_replaced", replacement.scanned_replaced);
-  report.set("update/unscanned_kept", replacement.unscanned_kept);
+  report.set("update/replaced_points", replacement.vertices.replaced);
+  report.set("update/kept_points", replacement.vertices.kept);
+  report.set("update/border_kept", replacement.vertices.border_kept);
+  report.set("update/border_replaced", replacement.vertices.border_replaced);
+  report.set("update/enclosed_replaced", replacement.vertices.enclosed_replaced);
+  report.set("update/scanned_replaced", replacement.vertices.scanned_replaced);
+  report.set("update/unscanned_kept", replacement.vertices.unscanned_kept);
   report.set("update/overlooked", result.overlooked.vertices.size());
-  report.set("update/overlooked_replaced", replacement.overlooked);
-  report.set("update/unchanged_kept", replacement.unchanged);
+  report.set("update/overlooked_replaced", replacement.vertices.overlooked);
+  report.set("update/unchanged_kept", replacement.vertices.unchanged);
   report.set("update/rescanned", result.overlooked.scanned);
   report.set("update/rescanned_kept", result.overlooked.kept);
   report.set("update/unexplained_handles", result.unexplained_handles);
@@ -191,7 +191,7 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/seen_cells", counters.likely_cells);
   report.set("update/contradicted_seen_cells", counters.contradicted_likely);
   report.set("update/heeded_seen_cells", counters.heeded_likely);
-  report.set("update/thinned_points", replacement.thinned);
+  report.set("update/thinned_points", replacement.vertices.thinned);
   report.set("update/duplicate_points", replacement.duplicates);
   report.set("update/updated_points", replacement.points.size());
 }
@@ -270,8 +270,8 @@ void say_update(Job& job, const UpdateRecord& record) {
     }
   }
   job.say("{} of {} groups replaced: {} points out, {} points in all",
-          result.replaced_groups.size(), result.regions.regions.size(), result.replacement.replaced,
-          result.replacement.points.size());
+          result.replaced_groups.size(), result.regions.regions.size(),
+          result.replacement.vertices.replaced, result.replacement.points.size());
   const std::string change = topology_change(result);
   if (!change.empty()) job.say("{}", change);
 }

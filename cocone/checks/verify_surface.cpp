@@ -18,7 +18,7 @@ constexpr std::size_t cells_between_reports = std::size_t{1} << 16;
 
 // Corners in increasing order, and whether it took an odd number of swaps to bring them there.
 struct SortedTriangle {
-  std::array<VertexId, 3> corners;
+  Triangle corners;
   bool odd = false;
 };
 
@@ -170,7 +170,7 @@ SurfaceVerification verified(const Triangulation& triangulation, const SurfaceMe
   result.done = true;
   result.cells = triangulation.num_finite_cells();
   result.triangles = surface.mesh.triangles.size();
-  result.delaunay = check_delaunay(triangulation, {}, execution);
+  result.delaunay = check_delaunay(triangulation, execution);
   WantedFacets facets(surface);
   // Cells that cannot be read have no facets.
   if (result.delaunay.malformed_cells == 0) {

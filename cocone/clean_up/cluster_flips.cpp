@@ -5,7 +5,7 @@
 
 #include "cocone/clean_up/best_move.h"
 #include "cocone/facets/cell_order.h"
-#include "cocone/facets/vertices_of_cells.h"
+#include "delaunay/vertices_of_cells.h"
 
 namespace cocoon {
 

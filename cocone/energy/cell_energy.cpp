@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cocone/facets/vertices_of_cells.h"
 #include "delaunay/circulate.h"
+#include "delaunay/vertices_of_cells.h"
 
 namespace cocoon {
 namespace {
@@ -95,7 +95,7 @@ void CellEnergy::prepare_facet_costs(std::span<const CellId> cells, const Execut
 
 double CellEnergy::stretch(FacetId f) {
   if (stretch_cost_ == 0) return 0;
-  const std::array<VertexId, 3> corners = triangulation_.facet_vertices(f);
+  const Triangle corners = triangulation_.facet_vertices(f);
   const Point& p = triangulation_.point(corners[0]);
   const Point& q = triangulation_.point(corners[1]);
   const Point& r = triangulation_.point(corners[2]);
@@ -342,17 +342,12 @@ bool CellEnergy::is_idle(VertexId v) {
 }
 
 void CellEnergy::ask_idle(std::span<const VertexId> samples, const Execution& execution) {
-  constexpr std::size_t samples_per_chunk = 1024;
   std::vector<VertexId> asked;
   for (const VertexId v : samples) {
     if (!knows_idle(v)) asked.push_back(v);
   }
-  const Execution shared = stars_.expect(asked.size()) ? execution : Execution{};
-  const auto sample_at = [&](std::size_t k) { return asked[k]; };
-  parallel_chunks(shared, asked.size(), samples_per_chunk, [&](std::size_t begin, std::size_t end) {
-    visit_stars(triangulation_, stars_, begin, end, sample_at,
-                [&](std::size_t k) { is_idle(asked[k]); });
-  });
+  visit_stars_in_parallel(triangulation_, stars_, asked, execution,
+                          [&](VertexId v) { is_idle(v); });
 }
 
 // By their boundary and their vertices: the facets and edges between them stay what they are. First

@@ -9,8 +9,8 @@
 
 #include "cocone/energy/turn_queue.h"
 #include "cocone/facets/cell_order.h"
-#include "cocone/facets/vertices_of_cells.h"
 #include "delaunay/circulate.h"
+#include "delaunay/vertices_of_cells.h"
 
 namespace cocoon {
 namespace {
@@ -163,15 +163,9 @@ class Propagation {
 
   void find_poles(SpacingCache& spacings, const VertexSet& good, const CleanUpOptions& options,
                   const Execution& execution) {
-    constexpr std::size_t vertices_per_chunk = 1024;
     spacings.prepare(asked_, execution);  // threads may ask for known ones
-    const Execution shared = stars_.expect(asked_.size()) ? execution : Execution{};
-    const auto asked_at = [&](std::size_t k) { return asked_[k]; };
-    parallel_chunks(
-        shared, asked_.size(), vertices_per_chunk, [&](std::size_t begin, std::size_t end) {
-          visit_stars(triangulation_, stars_, begin, end, asked_at,
-                      [&](std::size_t k) { find_poles_at(asked_[k], spacings, good, options); });
-        });
+    visit_stars_in_parallel(triangulation_, stars_, asked_, execution,
+                            [&](VertexId v) { find_poles_at(v, spacings, good, options); });
     for (const VertexId v : asked_) {
       for (const CellId pole : {poles_at_[v].positive, poles_at_[v].negative}) {
         if (!pole.is_none()) nodes_[pole].is_pole = true;

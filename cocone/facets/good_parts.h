@@ -12,7 +12,7 @@ namespace cocoon {
 // Joins those of a triangle's three corners for which is_good(corner) holds; returns how many parts
 // there are fewer for that. O(1) amortized.
 template <class IsGood>
-std::size_t join_good(DisjointSets& parts, const std::array<VertexId, 3>& corners, IsGood is_good) {
+std::size_t join_good(DisjointSets& parts, const Triangle& corners, IsGood is_good) {
   const auto join = [&](VertexId a, VertexId b) -> std::size_t {
     return is_good(a) && is_good(b) && parts.join(a.value, b.value) ? 1 : 0;
   };

@@ -7,6 +7,7 @@
 
 #include "cocone/facets/corner_normals.h"
 #include "geom/arrays/sort_by_vertex.h"
+#include "geom/arrays/visit_where.h"
 #include "geom/parallel/parallel_list.h"
 
 namespace cocoon {
@@ -76,33 +77,24 @@ void find_normals(const IdVector<VertexId, Point>& points, LinkedFacets& triangl
                   });
 }
 
-// By a look at all of them. Which of two halfedges is the first cannot be foreseen: they are listed
-// without a branch on it. What is to be read at the other one lies here and there in memory: it is
-// asked for in advance.
+// By a look at all of them. What is to be read at the other halfedge lies here and there in memory.
 std::vector<Halfedge> find_steep_edges(const LinkedFacets& triangles, double largest_cosine,
                                        const Execution& execution) {
-  constexpr std::size_t halfedges_per_block = 96;
   const auto find = [&](std::size_t begin, std::size_t end, std::vector<Halfedge>& found) {
-    std::array<Halfedge, halfedges_per_block> halfedges;
-    const auto last = static_cast<Halfedge>(3 * end);
-    for (auto first = static_cast<Halfedge>(3 * begin); first < last;) {
-      const Halfedge next = std::min<Halfedge>(first + halfedges_per_block, last);
-      std::size_t count = 0;
-      for (; first < next; ++first) {
-        const Halfedge other = triangles.links[first];
-        halfedges[count] = first;
-        count += other >= first ? 1U : 0U;
-        __builtin_prefetch(&triangles.links[other]);
-        __builtin_prefetch(&triangles.normals[triangle_of_halfedge(other)]);
-        __builtin_prefetch(&triangles.corners[triangle_of_halfedge(other)]);
+    const auto may_be_first = [&](Halfedge halfedge) {
+      const Halfedge other = triangles.links[halfedge];
+      __builtin_prefetch(&triangles.links[other]);
+      __builtin_prefetch(&triangles.normals[triangle_of_halfedge(other)]);
+      __builtin_prefetch(&triangles.corners[triangle_of_halfedge(other)]);
+      return other >= halfedge;
+    };
+    const auto note_steep = [&](Halfedge halfedge) {
+      if (is_steep(triangles, halfedge, largest_cosine) && triangles.is_first(halfedge)) {
+        found.push_back(halfedge);
       }
-      for (std::size_t k = 0; k < count; ++k) {
-        const Halfedge halfedge = halfedges[k];
-        if (is_steep(triangles, halfedge, largest_cosine) && triangles.is_first(halfedge)) {
-          found.push_back(halfedge);
-        }
-      }
-    }
+    };
+    visit_every_other(static_cast<Halfedge>(3 * begin), static_cast<Halfedge>(3 * end),
+                      may_be_first, note_steep);
   };
   return parallel_list<Halfedge>(execution, triangles.size(), triangles_per_chunk, find);
 }

@@ -1,26 +1,29 @@
 #include "cocone/kept/certain_result.h"
 
-#include <utility>
+#include <vector>
 
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
 namespace {
 
-// What is certified by mesh vertices, in canonical order.
-IdVector<TriangleId, Triangle> certain_triangles(const CertainView& view) {
-  IdVector<VertexId, VertexId> number(view.delaunay.num_vertex_slots());
-  std::size_t count = 0;
-  for (const VertexId v : view.vertex_of_point) {
-    if (number[v].is_none() && view.certified.has(v)) number[v] = VertexId(count++);
+// The vertices of the surface in the order of their first points, with the places that they have in
+// it; none: not on the surface.
+struct NumberedVertices {
+  std::vector<PointId> first_points;
+  IdVector<VertexId, VertexId> places;
+};
+
+NumberedVertices numbered_vertices(const CertainView& view) {
+  NumberedVertices found;
+  found.places.resize(view.delaunay.num_vertex_slots());
+  for (const PointId p : view.vertex_of_point.ids()) {
+    const VertexId v = view.vertex_of_point[p];
+    if (!found.places[v].is_none() || !view.certified.has(v)) continue;
+    found.places[v] = VertexId(found.first_points.size());
+    found.first_points.push_back(p);
   }
-  TriangleMesh mesh;
-  mesh.points.resize(count);
-  for (const auto& [a, b, c] : view.certified.triangles(view.delaunay.view())) {
-    mesh.triangles.push_back({number[a], number[b], number[c]});
-  }
-  canonicalize_triangles(mesh);
-  return std::move(mesh.triangles);
+  return found;
 }
 
 }  // namespace
@@ -39,17 +42,18 @@ ReconstructResult certain_counts(const CertainView& view, std::size_t points) {
 
 ReconstructResult certain_result(const CertainView& view, Points points) {
   ReconstructResult result = certain_counts(view, points.size());
-  VertexSet listed(view.delaunay.num_vertex_slots(), 0);
-  for (const PointId p : view.vertex_of_point.ids()) {
+  const NumberedVertices vertices = numbered_vertices(view);
+  for (const PointId p : vertices.first_points) {
     const VertexId v = view.vertex_of_point[p];
-    if (listed[v] != 0 || !view.certified.has(v)) continue;
-    listed[v] = 1;
     result.mesh.points.push_back(points[p.index()]);
     result.point_of_vertex.push_back(p);
     result.normals.push_back(view.candidates.normal(v));
     result.boundary_sample.push_back(view.candidates.is_boundary(v) ? 1 : 0);
   }
-  result.mesh.triangles = certain_triangles(view);
+  for (const auto& [a, b, c] : view.certified.triangles(view.delaunay.view())) {
+    result.mesh.triangles.push_back({vertices.places[a], vertices.places[b], vertices.places[c]});
+  }
+  canonicalize_triangles(result.mesh);
   return result;
 }
 

@@ -72,7 +72,7 @@ bool CertifiedSurface::is_still_refuted(const TriangulationView& view,
   };
   const auto [from, third] = wrong_turn_;
   if (from.is_none() || !is_half(from)) return false;
-  const std::array<VertexId, 3> corners = view.facet_vertices(from);
+  const Triangle corners = view.facet_vertices(from);
   if (std::find(corners.begin(), corners.end(), third) == corners.end()) return false;
   const FacetId met = first_met(view, candidates, from, third);
   return met.is_none() || !candidates.has_umbrella(third) || !is_half(met);
@@ -267,7 +267,7 @@ std::vector<FacetId> CertifiedSurface::halves_at(const DynamicDelaunay& delaunay
     for (int i = 0; (sides_[c] & 15U) != 0 && i < 4; ++i) {
       const FacetId f = facet_id(c, i);
       if (!is(side_flag::outer, f)) continue;
-      const std::array<VertexId, 3> corners = view.facet_vertices(f);
+      const Triangle corners = view.facet_vertices(f);
       if (std::any_of(corners.begin(), corners.end(),
                       [&](VertexId v) { return std::binary_search(at.begin(), at.end(), v); })) {
         halves.push_back(f);
@@ -357,9 +357,8 @@ bool CertifiedSurface::leaves_no_candidate(const DynamicDelaunay& delaunay,
   return true;
 }
 
-std::vector<std::array<VertexId, 3>> CertifiedSurface::triangles(
-    const TriangulationView& view) const {
-  std::vector<std::array<VertexId, 3>> all;
+std::vector<Triangle> CertifiedSurface::triangles(const TriangulationView& view) const {
+  std::vector<Triangle> all;
   all.reserve(outer_halves_);
   for (const CellId c : sides_.ids()) {
     const unsigned inner = unsigned{sides_[c]} >> 4;

@@ -36,10 +36,10 @@
 #include "cocone/live/live_candidates.h"
 #include "cocone/live/local_facets.h"
 #include "cocone/live/reconstruct_stages.h"
-#include "cocone/live/star_finder.h"
 #include "cocone/live/surface_state.h"
 #include "cocone/reconstruct.h"
 #include "delaunay/dynamic_delaunay.h"
+#include "delaunay/star_finder.h"
 #include "geom/id_vector.h"
 
 namespace cocoon {
@@ -81,7 +81,7 @@ class CertifiedSurface {
   // triangles that the surface has there now, counterclockwise seen from outside. All others are as
   // before. After certify(): none.
   const std::vector<VertexId>& touched() const { return touched_; }
-  const std::vector<std::array<VertexId, 3>>& triangles_at_touched() const { return triangles_; }
+  const std::vector<Triangle>& triangles_at_touched() const { return triangles_; }
   // The whole surface by slot of the cell, as side_flag (surface_state.h) has it; 0 where no cell
   // is.
   const IdVector<CellId, std::uint8_t>& sides() const { return sides_; }
@@ -90,7 +90,7 @@ class CertifiedSurface {
   bool has(VertexId v) const { return sheets_[v] != SheetAt::none; }
   std::size_t num_vertices() const { return good_ + folded_; }
   // All its triangles, counterclockwise seen from outside. Complexity: O(cells).
-  std::vector<std::array<VertexId, 3>> triangles(const TriangulationView& view) const;
+  std::vector<Triangle> triangles(const TriangulationView& view) const;
   // What the stages would have counted.
   void count(ReconstructCounters& counters) const;
 
@@ -156,7 +156,7 @@ class CertifiedSurface {
 
   std::vector<VertexId> touched_;
   VertexSet is_touched_;  // during an update; else 0
-  std::vector<std::array<VertexId, 3>> triangles_;
+  std::vector<Triangle> triangles_;
 };
 
 }  // namespace cocoon

@@ -9,7 +9,7 @@
 #include "cocone/facets/edge_cycle.h"
 #include "cocone/facets/good_parts.h"
 #include "cocone/facets/surface_fan.h"
-#include "cocone/facets/vertices_of_cells.h"
+#include "delaunay/vertices_of_cells.h"
 #include "geom/arrays/disjoint_sets.h"
 #include "geom/arrays/sort_by_vertex.h"
 #include "geom/arrays/visit_where.h"
@@ -55,7 +55,7 @@ bool hang_together(std::size_t num_vertices, const ForTriangles& for_triangles) 
   DisjointSets sets(num_vertices);
   ZeroedArray<VertexId, std::uint8_t> met(num_vertices);
   std::size_t parts = 0;
-  for_triangles([&](const std::array<VertexId, 3>& corners) {
+  for_triangles([&](const Triangle& corners) {
     const auto is_first = [&](VertexId v) { return std::exchange(met[v], std::uint8_t{1}) == 0; };
     for (const VertexId v : corners) parts += is_first(v) ? 1U : 0U;
     parts -= join_good(sets, corners, [](VertexId) { return true; });
@@ -151,7 +151,7 @@ std::optional<KeptBody::Change> KeptBody::go_on(const Triangulation& triangulati
   });
   bool meets_old = change.touched.empty();
   for (const auto& [f, came] : facets) {
-    const std::array<VertexId, 3> t = triangulation.facet_vertices(f);
+    const Triangle t = triangulation.facet_vertices(f);
     if ((is_touched[t[0]] | is_touched[t[1]] | is_touched[t[2]]) == 0) continue;
     change.triangles.push_back(t);
     meets_old = meets_old || !came;
@@ -222,7 +222,7 @@ bool KeptBody::has_umbrellas(const Triangulation& triangulation, const Execution
       [&](std::size_t begin, std::size_t end, const auto& put) {
         for (CellId c(begin); c.index() < end; ++c) {
           for_facets(c, cells_[c], [&](FacetId f) {
-            const std::array<VertexId, 3> corners = triangulation.facet_vertices(f);
+            const Triangle corners = triangulation.facet_vertices(f);
             for (std::size_t i = 0; i < 3; ++i) {
               const OppositeEdge edge = {corners[(i + 1) % 3], corners[(i + 2) % 3]};
               put(corners[i], [&, edge](std::uint32_t place) { edges[place] = edge; });

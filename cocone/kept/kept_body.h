@@ -26,9 +26,9 @@
 #include <vector>
 
 #include "cocone/kept/kept_labels.h"
-#include "cocone/live/star_finder.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "delaunay/renumbering.h"
+#include "delaunay/star_finder.h"
 #include "delaunay/triangulation.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
@@ -57,7 +57,7 @@ class KeptBody {
   struct Change {
     std::vector<VertexId> touched;
     // All triangles with one of these, counterclockwise seen from outside.
-    std::vector<std::array<VertexId, 3>> triangles;
+    std::vector<Triangle> triangles;
   };
   // Keeps the body of the cells that are not `out` (1, as infinite cells are). Where it was smooth
   // before and is now, what has changed is told; not of one that is said not to be. `cell_at`: a

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "cocone/facets/half_star.h"
-#include "cocone/live/star_finder.h"
 #include "cocone/marking/old_triangles.h"
+#include "delaunay/star_finder.h"
 #include "geom/arrays/zeroed_array.h"
 
 namespace cocoon {

@@ -13,9 +13,9 @@
 #include "cocone/facet_set.h"
 #include "cocone/facets/facet_removal.h"
 #include "cocone/facets/linked_facets.h"
-#include "cocone/live/star_finder.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "delaunay/renumbering.h"
+#include "delaunay/star_finder.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
 

@@ -29,11 +29,11 @@
 #include "cocone/known_labels.h"
 #include "cocone/live/live_candidates.h"
 #include "cocone/live/local_facets.h"
-#include "cocone/live/star_finder.h"
 #include "cocone/live/surface_state.h"
 #include "cocone/umbrella.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "delaunay/renumbering.h"
+#include "delaunay/star_finder.h"
 #include "geom/execution.h"
 #include "geom/id_vector.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cocone/facets/linked_facets.h"
-#include "cocone/live/star_finder.h"
 #include "delaunay/dynamic_delaunay.h"
+#include "delaunay/star_finder.h"
 #include "geom/id_vector.h"
 #include "geom/ids.h"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cocone/facet_set.h"
-#include "cocone/live/star_finder.h"
 #include "delaunay/dynamic_delaunay.h"
+#include "delaunay/star_finder.h"
 #include "delaunay/triangulation.h"
 #include "geom/id_vector.h"
 

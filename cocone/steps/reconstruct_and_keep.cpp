@@ -28,7 +28,7 @@ ReconstructResult reconstruct_and_keep(Triangulation triangulation, Points point
   SurfaceResult made = begin_result(input);
   FoundSurface found = find_surface(input, made.result.counters, &stages, execution);
   GoodUmbrellas good = close_surface(input, found, known, {.stages = &stages}, made, execution);
-  verify_result(input, true, made, execution);
+  verify_result(input, SurfaceKind::closed, made, execution);
   stages.not_in_doubles = std::move(found.not_in_doubles);
   stages.poles = std::move(found.poles);
   stages.boundary = std::move(found.boundary);
@@ -49,7 +49,7 @@ ReconstructResult reconstruct_tight_from(const Triangulation& triangulation,
   SurfaceResult made = begin_result(input);
   FoundSurface found = find_surface(input, std::move(candidates), made.result.counters, execution);
   GoodUmbrellas good = close_surface(input, found, known, {.live = &live}, made, execution);
-  verify_result(input, true, made, execution);
+  verify_result(input, SurfaceKind::closed, made, execution);
   surface = cocone_surface(found.surface, std::move(good));
   surface.triangles = std::move(found.surface.triangles);
   surface.rest = std::move(found.surface.rest);

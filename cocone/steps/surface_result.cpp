@@ -45,13 +45,14 @@ void enter_mesh(const ReconstructInput& input, const FoundSurface& found, Surfac
                                                   : SurfaceStatus::ok;
 }
 
-void verify_result(const ReconstructInput& input, bool closed, SurfaceResult& made,
+void verify_result(const ReconstructInput& input, SurfaceKind kind, SurfaceResult& made,
                    const Execution& execution) {
   ReconstructResult& result = made.result;
   if (!input.options.verify || result.status != SurfaceStatus::ok) return;
   result.verification = verify_surface(
       input.triangulation, {result.mesh, result.point_of_vertex, made.triangulation_vertex},
-      input.points, {.closed = closed, .scale = working_scale(input.points)}, execution);
+      input.points, {.closed = kind == SurfaceKind::closed, .scale = working_scale(input.points)},
+      execution);
   if (result.verification.ok()) return;
   result.status = SurfaceStatus::refuted;
   result.mesh = {};

@@ -25,9 +25,11 @@ SurfaceResult begin_result(const ReconstructInput& input);
 void enter_mesh(const ReconstructInput& input, const FoundSurface& found, SurfaceMesh mesh,
                 SurfaceResult& made, const Execution& execution);
 
-// If the options ask for it, and there is a surface. What is refuted is taken back. `closed`: as
-// SurfaceProperties::closed. Errors and complexity: those of verify_surface().
-void verify_result(const ReconstructInput& input, bool closed, SurfaceResult& made,
+enum class SurfaceKind { closed, open };
+
+// If the options ask for it, and there is a surface, which is to be of that kind. What is refuted
+// is taken back. Errors and complexity: those of verify_surface().
+void verify_result(const ReconstructInput& input, SurfaceKind kind, SurfaceResult& made,
                    const Execution& execution);
 
 }  // namespace cocoon

@@ -26,10 +26,7 @@ DelaunayResult triangulate_points(Points points, const DelaunayOptions& options,
   const double scale = working_scale(points);
   if (scale == 1) return delaunay(points, options, execution);
   require_exact(points, scale);
-  std::vector<Point> scaled;
-  scaled.reserve(points.size());
-  for (const Point& p : points) scaled.push_back(scale * p);
-  return delaunay(scaled, options, execution);
+  return delaunay(scaled(points, scale), options, execution);
 }
 
 }  // namespace cocoon

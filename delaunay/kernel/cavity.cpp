@@ -22,7 +22,7 @@ static_assert(entry_of(infinite_vertex) == 0);
 constexpr std::uint8_t facet_slots[4][4] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
 // The vertices of a facet, in the order that faces the cell in front of it.
-std::array<VertexId, 3> corners_of(const Cell& behind, FacetId facet) {
+Triangle corners_of(const Cell& behind, FacetId facet) {
   const auto& corner = facet_slots[index_of(facet)];
   return {behind.vertices[corner[0]], behind.vertices[corner[1]], behind.vertices[corner[2]]};
 }
@@ -56,28 +56,6 @@ void CavityInserter::admit(const Point& p) {
 void CavityInserter::read_points_again() {
   if (local_id_.size() < points_.size() + 2) local_id_.resize(points_.size() + 2);
   search_.read_points_again();
-}
-
-// The places of the cells that go, which are in cache; then free ones, then new ones.
-void CavityInserter::take_slots(const ConflictZone& zone) {
-  std::vector<CellId>& free = *shared_.free;
-  search_.unmark_zone();
-  const std::size_t count = zone.border().size();
-  slots_.assign(zone.cells().begin(), zone.cells().end());
-  for (; slots_.size() > count; slots_.pop_back()) {
-    pool_.cells[slots_.back()].vertices[0] = VertexId();
-    free.push_back(slots_.back());
-  }
-  const std::size_t used = std::min(free.size(), count - slots_.size());
-  const std::size_t end = pool_.cells.size();
-  const std::size_t added = count - slots_.size() - used;
-  if (added > 0) require_cell_numbers(end + added);
-  slots_.insert(slots_.end(), free.rbegin(), free.rbegin() + static_cast<std::ptrdiff_t>(used));
-  free.resize(free.size() - used);
-  if (added == 0) return;
-  for (std::size_t i = 0; i < added; ++i) slots_.push_back(CellId(end + i));
-  pool_.cells.resize_for_overwrite(end + added);
-  pool_.marks.resize(end + added, CellMark::untested);
 }
 
 std::size_t CavityInserter::num_slots_wanted() const {
@@ -221,7 +199,9 @@ CellId CavityInserter::insert(VertexId v, CellId start, DelaunayCounters& counte
 
 CellId CavityInserter::fill_zone(VertexId v, DelaunayCounters& counters) {
   const ConflictZone& zone = search_.zone();
-  take_slots(zone);
+  search_.unmark_zone();
+  // The places of the cells that go are in cache.
+  take_places(pool_, *shared_.free, zone.cells(), zone.border().size(), slots_);
   fill_hole(v, zone);
   if (zone.has_infinite()) {
     for (const CellId c : slots_) put_infinite_last(c);

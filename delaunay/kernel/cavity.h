@@ -71,7 +71,6 @@ class CavityInserter {
   void read_points_again();
 
  private:
-  void take_slots(const ConflictZone& zone);
   template <unsigned stride, bool notes_cells>
   void build_star(VertexId v, const ConflictZone& zone);
   void build_large_star(VertexId v, std::span<const FacetId> border);

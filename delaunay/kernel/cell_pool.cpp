@@ -101,6 +101,26 @@ void require_cell_numbers(std::size_t count) {
                    std::to_string(max_cells) + " tetrahedra, the most that can be numbered");
 }
 
+void take_places(CellPool& pool, std::vector<CellId>& free, std::span<const CellId> own,
+                 std::size_t count, std::vector<CellId>& places) {
+  const std::size_t reused = std::min(count, own.size());
+  const std::size_t taken = std::min(count - reused, free.size());
+  const std::size_t added = count - reused - taken;
+  const std::size_t end = pool.cells.size();
+  if (added > 0) require_cell_numbers(end + added);
+  places.assign(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(reused));
+  places.insert(places.end(), free.rbegin(), free.rbegin() + static_cast<std::ptrdiff_t>(taken));
+  free.resize(free.size() - taken);
+  for (std::size_t i = own.size(); i-- > reused;) {
+    pool.cells[own[i]].vertices[0] = VertexId();
+    free.push_back(own[i]);
+  }
+  if (added == 0) return;
+  for (std::size_t i = 0; i < added; ++i) places.push_back(CellId(end + i));
+  pool.cells.resize_for_overwrite(end + added);
+  pool.marks.resize(end + added, CellMark::untested);
+}
+
 std::size_t compact_cells(CellPool& pool, const Execution& execution,
                           std::vector<CellExchange>* done) {
   std::vector<CellExchange> into_holes = drop_free_cells(pool, execution);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "delaunay/renumbering.h"
@@ -35,6 +36,14 @@ struct CellPool {
 
 // Errors: InputError if there are more cells than max_cells.
 void require_cell_numbers(std::size_t count);
+
+// Names places for `count` new cells: first `own`, those of the cells that go, then free ones, from
+// the end of their list on, then new ones. What is left of `own` becomes free, the first of it
+// last. `free`: the list that is used (of the pool, or of a thread); `places` is overwritten.
+// Errors: as require_cell_numbers, and nothing is changed then. Complexity: O(count + own),
+// amortized.
+void take_places(CellPool& pool, std::vector<CellId>& free, std::span<const CellId> own,
+                 std::size_t count, std::vector<CellId>& places);
 
 // Drops the free cells and moves the infinite ones behind the finite ones. Cells on the right side
 // already keep their numbers. Returns the number of finite cells. Complexity: O(cells) to look at

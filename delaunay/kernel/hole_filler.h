@@ -48,13 +48,12 @@ class HoleFiller {
   // call was spans_space(), and it was true; the border consists of facets of the triangulation
   // of the points, and what is inside is connected through other facets. No border: all cells.
   // Complexity: that of a triangulation of the points.
-  const HoleFilling& fill(std::span<const std::array<VertexId, 3>> border,
-                          DelaunayCounters& counters);
+  const HoleFilling& fill(std::span<const Triangle> border, DelaunayCounters& counters);
 
  private:
   void triangulate(DelaunayCounters& counters);
-  void index_border(std::span<const std::array<VertexId, 3>> border);
-  std::uint32_t find_border(const std::array<VertexId, 3>& triangle) const;
+  void index_border(std::span<const Triangle> border);
+  std::uint32_t find_border(const Triangle& triangle) const;
   CellId first_cell_inside() const;
   std::uint32_t enter(CellId c);
 
@@ -62,10 +61,10 @@ class HoleFiller {
   CellPool pool_;
   CavityInserter inserter_;
   std::vector<std::uint32_t> order_;
-  std::vector<std::array<VertexId, 3>> border_;  // each with its smallest vertex first
-  std::vector<std::uint32_t> border_table_;      // open addressing; positions in border_
-  IdVector<CellId, std::uint32_t> fill_index_;   // by cell of pool_
-  std::vector<CellId> inside_;                   // by cell of filling_: the cell of pool_
+  std::vector<Triangle> border_;                // each with its smallest vertex first
+  std::vector<std::uint32_t> border_table_;     // open addressing; positions in border_
+  IdVector<CellId, std::uint32_t> fill_index_;  // by cell of pool_
+  std::vector<CellId> inside_;                  // by cell of filling_: the cell of pool_
   HoleFilling filling_;
 };
 

@@ -135,7 +135,7 @@ void VertexRemover::fill_hole(const Hole& hole) {
   triangles_.clear();
   for (std::size_t b = hole.first_border; b < hole.end_border; ++b) {
     const FacetId inner = border_[b].inner;
-    std::array<VertexId, 3>& triangle =
+    Triangle& triangle =
         triangles_.emplace_back(facet_vertices(pool_.cells[cell_of(inner)], index_of(inner)));
     for (VertexId& v : triangle) v = number(v);
   }
@@ -176,31 +176,6 @@ bool VertexRemover::plan(std::span<const VertexId> vertices,
 
 // --- Writing ---------------------------------------------------------------------------------
 
-// Places for the new cells: the holes' own, then free ones, then new ones. In the order of memory:
-// what is inserted next takes the free places from the lowest on, and cells that are made one after
-// the other lie together.
-void VertexRemover::take_slots() {
-  const std::size_t count = fill_cells_.size();
-  const std::size_t reused = std::min(count, hole_cells_.size());
-  const std::size_t taken = std::min(count - reused, pool_.free.size());
-  const std::size_t added = count - reused - taken;
-  const std::size_t first_added = pool_.cells.size();
-  require_cell_numbers(first_added + added);
-  sort_ids(hole_cells_);
-  slots_.assign(hole_cells_.begin(), hole_cells_.begin() + static_cast<std::ptrdiff_t>(reused));
-  for (std::size_t i = 0; i < taken; ++i) {
-    slots_.push_back(pool_.free.back());
-    pool_.free.pop_back();
-  }
-  for (std::size_t i = 0; i < added; ++i) slots_.push_back(CellId(first_added + i));
-  pool_.cells.resize(first_added + added);
-  pool_.marks.resize(first_added + added, CellMark::untested);
-  for (std::size_t i = hole_cells_.size(); i-- > reused;) {
-    pool_.cells[hole_cells_[i]].vertices[0] = VertexId();
-    pool_.free.push_back(hole_cells_[i]);
-  }
-}
-
 // A facet of fill_cells_ as the pool numbers it.
 FacetId VertexRemover::placed(FacetId filled) const {
   return facet_id(slots_[cell_of(filled).index()], index_of(filled));
@@ -227,7 +202,10 @@ void VertexRemover::join_seams() {
 }
 
 void VertexRemover::commit() {
-  take_slots();
+  // In the order of memory: what is inserted next takes the free places from the lowest on, and
+  // cells that are made one after the other lie together.
+  sort_ids(hole_cells_);
+  take_places(pool_, pool_.free, hole_cells_, fill_cells_.size(), slots_);
   for (std::size_t k = 0; k < fill_cells_.size(); ++k) {
     Cell cell = fill_cells_[k];
     for (FacetId& neighbor : cell.neighbors) {

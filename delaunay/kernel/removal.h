@@ -95,7 +95,6 @@ class VertexRemover {
   void link_border_vertices(const Hole& hole);
   void forget_link();
   void fill_hole(const Hole& hole);
-  void take_slots();
   FacetId placed(FacetId filled) const;
   void join_seams();
 
@@ -119,7 +118,7 @@ class VertexRemover {
   IdVector<VertexId, VertexId> number_of_;  // of a vertex in link_
 
   std::vector<VertexId> link_;  // the vertices given to filler_, in its numbering
-  std::vector<std::array<VertexId, 3>> triangles_;
+  std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> order_;
 };
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geom/arrays/turned_sets.h"
+#include "geom/arrays/visit_where.h"
 #include "geom/execution.h"
 #include "geom/mesh/halfedges.h"
 #include "geom/triangle_mesh.h"
@@ -64,33 +65,28 @@ class Seeds {
   explicit Seeds(std::size_t num_triangles);
 
   // Joins the triangles begin .. end with those before them in this range, and notes what hangs
-  // together with earlier ones. Which of two halfedges comes first cannot be foreseen, so the
-  // second ones are listed without a branch on it.
+  // together with earlier ones: from the second of two halfedges.
   template <class Connects, class IsTurned>
   void join_range(std::span<const Halfedge> links, std::size_t begin, std::size_t end,
                   Connects connects, IsTurned is_turned) {
     Chunk& chunk = chunks_[begin / triangles_per_chunk];
     constexpr std::size_t triangles_per_block = 64;
-    std::array<Halfedge, 3 * triangles_per_block> halfedges;
+    const auto is_second = [&](Halfedge halfedge) { return links[halfedge] < halfedge; };
+    const auto join_across = [&](Halfedge halfedge) {
+      const Halfedge across = links[halfedge];
+      if (links[across] != halfedge || !connects(halfedge)) return;
+      const Join join{triangle_of_halfedge(halfedge), triangle_of_halfedge(across),
+                      is_turned(halfedge, across) ? 1U : 0U};
+      if (join.other < begin) {
+        chunk.to_earlier.push_back(join);
+      } else {
+        take_over(join, chunk);
+      }
+    };
     for (std::size_t first = begin; first < end; first += triangles_per_block) {
       const std::size_t last = std::min(first + triangles_per_block, end);
-      std::size_t count = 0;
-      for (auto halfedge = static_cast<Halfedge>(3 * first); halfedge < 3 * last; ++halfedge) {
-        halfedges[count] = halfedge;
-        count += links[halfedge] < halfedge ? 1U : 0U;
-      }
-      for (std::size_t k = 0; k < count; ++k) {
-        const Halfedge halfedge = halfedges[k];
-        const Halfedge across = links[halfedge];
-        if (links[across] != halfedge || !connects(halfedge)) continue;
-        const Join join{triangle_of_halfedge(halfedge), triangle_of_halfedge(across),
-                        is_turned(halfedge, across) ? 1U : 0U};
-        if (join.other < begin) {
-          chunk.to_earlier.push_back(join);
-        } else {
-          take_over(join, chunk);
-        }
-      }
+      visit_every_other(static_cast<Halfedge>(3 * first), static_cast<Halfedge>(3 * last),
+                        is_second, join_across);
       list_seeds(first, last, chunk);
       for (const auto& [word, told] : chunk.meetings) join(word, told, chunk);
       chunk.meetings.clear();

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "geom/arrays/sort_by_vertex.h"
+#include "geom/arrays/visit_where.h"
 #include "geom/parallel/parallel_list.h"
 #include "geom/spatial_order.h"
 
@@ -103,31 +104,25 @@ void keep_first_of_edges(const LinkedMesh& mesh, std::vector<Halfedge>& irregula
   });
 }
 
-// A regular edge is looked at from its first halfedge, without a branch on which that is.
+// A regular edge is looked at from its first halfedge.
 std::vector<Halfedge> irregular_edges(const LinkedMesh& mesh, const Execution& execution) {
   constexpr std::size_t halfedges_per_chunk = std::size_t{1} << 14;
-  constexpr std::size_t halfedges_per_block = 128;
   const auto find = [&](std::size_t begin, std::size_t end, std::vector<Halfedge>& found) {
-    std::array<Halfedge, halfedges_per_block> halfedges;
-    for (std::size_t first = begin; first < end; first += halfedges_per_block) {
-      const std::size_t last = std::min(first + halfedges_per_block, end);
-      std::size_t count = 0;
-      for (auto halfedge = static_cast<Halfedge>(first); halfedge < last; ++halfedge) {
-        const Halfedge across = mesh.links[halfedge];
-        halfedges[count] = halfedge;
-        count += across >= halfedge ? 1U : 0U;
-        __builtin_prefetch(&mesh.links[across]);
-        __builtin_prefetch(&mesh.triangles[triangle_of_halfedge(across)]);
-      }
-      for (std::size_t k = 0; k < count; ++k) {
-        const Halfedge halfedge = halfedges[k];
-        const Halfedge across = mesh.links[halfedge];
-        const bool regular = across != halfedge && mesh.links[across] == halfedge &&
-                             mesh.from(halfedge) == mesh.to(across) &&
-                             mesh.apex(halfedge) != mesh.apex(across);
-        if (!regular) found.push_back(halfedge);
-      }
-    }
+    const auto is_first = [&](Halfedge halfedge) {
+      const Halfedge across = mesh.links[halfedge];
+      __builtin_prefetch(&mesh.links[across]);
+      __builtin_prefetch(&mesh.triangles[triangle_of_halfedge(across)]);
+      return across >= halfedge;
+    };
+    const auto note_irregular = [&](Halfedge halfedge) {
+      const Halfedge across = mesh.links[halfedge];
+      const bool regular = across != halfedge && mesh.links[across] == halfedge &&
+                           mesh.from(halfedge) == mesh.to(across) &&
+                           mesh.apex(halfedge) != mesh.apex(across);
+      if (!regular) found.push_back(halfedge);
+    };
+    visit_every_other(static_cast<Halfedge>(begin), static_cast<Halfedge>(end), is_first,
+                      note_irregular);
   };
   std::vector<Halfedge> irregular =
       parallel_list<Halfedge>(execution, mesh.links.size(), halfedges_per_chunk, find);

@@ -20,7 +20,7 @@ class PlainLabels {
   PlainLabels(const Triangulation& triangulation, const std::vector<KnownTriangle>& triangles)
       : triangulation_(triangulation), told_(triangulation.num_cells()) {
     for (const KnownTriangle& t : triangles) {
-      std::array<VertexId, 3> corners;
+      Triangle corners;
       for (std::size_t k = 0; k < 3; ++k) corners[k] = triangulation.vertex_of_point()[t[k]];
       ++count_[turned_to_smallest(corners)];
       is_corner_.insert(corners.begin(), corners.end());
@@ -49,7 +49,7 @@ class PlainLabels {
   }
 
  private:
-  using Corners = std::array<VertexId, 3>;
+  using Corners = Triangle;
 
   static Corners turned_to_smallest(Corners t) {
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());

@@ -82,7 +82,7 @@ struct Labeling {
     for (const CellId c : t.finite_cells()) {
       for (int i = 0; i < 4; ++i) {
         if (out[c] != 0 || out[t.neighbor(c, i)] == 0) continue;
-        std::array<VertexId, 3> v = t.facet_vertices(facet_id(c, i));
+        Triangle v = t.facet_vertices(facet_id(c, i));
         std::sort(v.begin(), v.end());
         for (const Edge& edge : {Edge(v[0], v[1]), {v[0], v[2]}, {v[1], v[2]}}) ++facets[edge];
       }

@@ -120,7 +120,7 @@ TEST_P(DelaunayOracle, SameCellsAsCgal) {
 
 TEST_P(DelaunayOracle, PassesTheCheck) {
   const DelaunayResult result = delaunay(GetParam().make());
-  const DelaunayReport report = check_delaunay(result.triangulation, {}, {.threads = 2});
+  const DelaunayReport report = check_delaunay(result.triangulation, {.threads = 2});
   EXPECT_TRUE(report.ok()) << report.first_violation;
 }
 

@@ -19,7 +19,7 @@ TEST(Triangulation, FacetsOfACellLookOutward) {
   for (const CellId c : t.cells()) {
     for (int i = 0; i < 4; ++i) {
       const FacetId f = facet_id(c, i);
-      const std::array<VertexId, 3> corners = facet_vertices(t.cell(c), i);
+      const Triangle corners = facet_vertices(t.cell(c), i);
       EXPECT_EQ(t.facet_vertices(f), corners);
       EXPECT_EQ(view.facet_vertices(f), corners);
       EXPECT_EQ(t.mirror(t.mirror(f)), f);

@@ -65,8 +65,9 @@ inline void expect_local_update(const TriangleMesh& model, const Clouds& clouds,
   std::size_t cloud_points = 0;
   for (const std::vector<Point>& cloud : clouds) cloud_points += cloud.size();
   const Replacement& replacement = result.replacement;
-  EXPECT_EQ(replacement.points.size(), replacement.kept + cloud_points - replacement.duplicates);
-  EXPECT_EQ(replacement.kept + replacement.replaced, model.points.size());
+  EXPECT_EQ(replacement.points.size(),
+            replacement.vertices.kept + cloud_points - replacement.duplicates);
+  EXPECT_EQ(replacement.vertices.kept + replacement.vertices.replaced, model.points.size());
   ASSERT_EQ(result.vertex_map.size(), model.points.size());
   std::size_t left_over = 0;
   std::size_t lost = 0;

@@ -49,7 +49,7 @@ TEST(UpdateBesideEdges, EdgesThatWereNotScannedStay) {
     lost_without += block.lost_volume(off);
     UpdateSession session(block.model);
     const SessionUpdate update = session.apply({{block.scan}});
-    with_rest += update.result.replacement.unchanged > 0 ? 1U : 0U;
+    with_rest += update.result.replacement.vertices.unchanged > 0 ? 1U : 0U;
   }
   EXPECT_GT(with_rest, 2U);
   RecordProperty("lost", std::to_string(lost));

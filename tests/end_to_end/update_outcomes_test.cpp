@@ -69,7 +69,7 @@ TEST(UpdateOutcomes, OfAThinPlateNothingIsLeftInPaperMode) {
   EXPECT_EQ(result.status, UpdateStatus::empty_surface);
   EXPECT_TRUE(result.mesh.triangles.empty());
   EXPECT_TRUE(result.vertex_map.empty());
-  EXPECT_GT(result.replacement.replaced, 100U);
+  EXPECT_GT(result.replacement.vertices.replaced, 100U);
   const std::string count = std::to_string(result.replacement.points.size());
   EXPECT_EQ(result.message, "the " + count +
                                 " updated points give no closed surface; check that model and "
@@ -245,7 +245,7 @@ TEST(UpdateOutcomes, NotAllOfTheModelGoes) {
   const UpdateResult turned = update_model(model, clouds, other_way);
   ASSERT_EQ(turned.status, UpdateStatus::ok) << turned.message;
   EXPECT_EQ(turned.replaced_groups, std::vector<RegionId>{result.choice.kept_largest});
-  EXPECT_GT(turned.replacement.removed.size(), 10U);
+  EXPECT_GT(turned.replacement.vertices.removed.size(), 10U);
 }
 
 // If the two scans overlap each other they are a closed surface together, and the rim of each by

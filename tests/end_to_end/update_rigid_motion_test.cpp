@@ -33,7 +33,7 @@ TEST_P(UpdateRigidMotion, ChangesNothing) {
   TriangleMesh model = reconstruct_tight(sample.initial).mesh;
   const UpdateResult expected = update_model(model, sample.clouds);
   ASSERT_EQ(expected.status, UpdateStatus::ok) << expected.message;
-  ASSERT_GT(expected.replacement.replaced, 100U);
+  ASSERT_GT(expected.replacement.vertices.replaced, 100U);
 
   for (Point& p : model.points) p = moved(p);
   for (std::vector<Point>& cloud : sample.clouds) {

@@ -128,7 +128,7 @@ TEST(UpdateScenarios, OrderDoesNotMatter) {
   random.shuffle(clouds[1]);
   std::swap(clouds[0], clouds[1]);
   const UpdateResult shuffled = update_model(model, clouds, {}, {.threads = 3});
-  EXPECT_EQ(shuffled.replacement.replaced, expected.replacement.replaced);
+  EXPECT_EQ(shuffled.replacement.vertices.replaced, expected.replacement.vertices.replaced);
   EXPECT_EQ(sorted_triangles(shuffled.mesh), sorted_triangles(expected.mesh));
 }
 
@@ -213,7 +213,7 @@ TEST(UpdateScenarios, SampleBlock) {
       EXPECT_TRUE(result.vertex_map[v].is_none()) << p.value;
     }
   }
-  EXPECT_LT(result.replacement.replaced, sample.replaced.size() * 3 / 2);
+  EXPECT_LT(result.replacement.vertices.replaced, sample.replaced.size() * 3 / 2);
   const SurfaceDistance distance = surface_distance(result.mesh, sample.truth, {.samples = 20000});
   EXPECT_LT(distance.mean, 0.01);
   EXPECT_LT(distance.max, 0.1);
@@ -318,7 +318,7 @@ TEST(UpdateScenarios, CloudWithinOneFacet) {
   ASSERT_GT(clouds[0].size(), 30U);
   const UpdateResult result = update_model(model, clouds);
   ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
-  EXPECT_EQ(result.replacement.replaced, 0U);
+  EXPECT_EQ(result.replacement.vertices.replaced, 0U);
   EXPECT_EQ(result.clouds[0].loops[0].separation, Separation::encloses_nothing);
   EXPECT_FALSE(result.warnings.empty());
 }
@@ -345,7 +345,7 @@ TEST(UpdateScenarios, GridWithinOneFacet) {
     const UpdateResult result = update_model(model, clouds, options);
     ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
     EXPECT_EQ(result.clouds[0].surface.rim.is_partial(), min_samples == 1);
-    EXPECT_EQ(result.replacement.replaced, 0U);
+    EXPECT_EQ(result.replacement.vertices.replaced, 0U);
     EXPECT_EQ(result.clouds[0].loops[0].separation, Separation::encloses_nothing);
     EXPECT_EQ(result.mesh.points.size(), 4 + clouds[0].size());
     EXPECT_EQ(mesh_check(result.mesh).euler, 2);
@@ -363,7 +363,7 @@ TEST(UpdateScenarios, CloudWithinOneFacetBesideACorner) {
         raised_cap(400000, unit(corner + 0.35 * (middle - corner)), 0.02, 0.002)};
     const UpdateResult result = update_model(model, clouds);
     ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
-    EXPECT_EQ(result.replacement.replaced, 0U) << t;
+    EXPECT_EQ(result.replacement.vertices.replaced, 0U) << t;
   }
 }
 

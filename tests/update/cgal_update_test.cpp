@@ -101,7 +101,7 @@ TEST(CgalUpdate, ReplacesTheSamePoints) {
     EXPECT_EQ(plain.overlapping_facets, ours.clouds[0].overlapping_facets);
     EXPECT_EQ(plain.regions, ours.regions.regions.size());
     EXPECT_GT(plain.replaced.size(), 400U);
-    EXPECT_EQ(plain.replaced, ours.replacement.removed);
+    EXPECT_EQ(plain.replaced, ours.replacement.vertices.removed);
     EXPECT_NEAR(static_cast<double>(plain.mesh.triangles.size()),
                 static_cast<double>(ours.mesh.triangles.size()), 40);
   }
@@ -135,7 +135,8 @@ TEST(CgalUpdate, DiffersFromOursAtTheBorderAlone) {
   EXPECT_EQ(plain.overlapping_facets, ours.clouds[0].overlapping_facets);
   EXPECT_EQ(plain.regions, ours.regions.regions.size());
   EXPECT_GT(plain.replaced.size(), 800U);
-  const std::vector<VertexId> different = difference(plain.replaced, ours.replacement.removed);
+  const std::vector<VertexId> different =
+      difference(plain.replaced, ours.replacement.vertices.removed);
   EXPECT_LE(different.size(), 4U);
   const std::vector<VertexId> border = corners_around(model, plain.overlapping_facets);
   EXPECT_LT(10 * border.size(), model.points.size());

@@ -25,7 +25,7 @@ TEST(ReplacePoints, KeptVerticesComeFirstInOrderWithTheirBits) {
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const PointId p = result.point_of_cloud_point[0][PointId(i)];
-    EXPECT_EQ(p.index(), result.kept + i);
+    EXPECT_EQ(p.index(), result.vertices.kept + i);
     EXPECT_EQ(result.points[p.index()], scene.clouds[0][i]);
   }
 }
@@ -38,7 +38,7 @@ TEST(ReplacePoints, EqualPointsAreMerged) {
   scene.rims.push_back({});
   const Replacement result = scene.replace();
   EXPECT_EQ(result.duplicates, 4U);
-  EXPECT_EQ(result.points.size(), result.kept + 3);
+  EXPECT_EQ(result.points.size(), result.vertices.kept + 3);
   EXPECT_EQ(result.point_of_cloud_point[0][PointId(3)], result.point_of_vertex[VertexId(0)]);
   EXPECT_EQ(result.point_of_cloud_point[0][PointId(4)], result.point_of_cloud_point[0][PointId(0)]);
   EXPECT_EQ(result.point_of_cloud_point[1][PointId(0)], result.point_of_cloud_point[0][PointId(1)]);
@@ -63,7 +63,7 @@ TEST(ReplacePoints, SamplesWithAFlagAreLeftOut) {
   const Replacement result = replace_points(index, replaced, scene.clouds, left_out);
   EXPECT_EQ(result.left_out, 1U);
   EXPECT_EQ(result.duplicates, 0U);  // the first of the two at one place is not there
-  ASSERT_EQ(result.points.size(), result.kept + 4);
+  ASSERT_EQ(result.points.size(), result.vertices.kept + 4);
   EXPECT_TRUE(result.point_of_cloud_point[0][PointId(1)].is_none());
   for (std::size_t c = 0; c < 2; ++c) {
     for (const PointId p : result.point_of_cloud_point[c].ids()) {
@@ -104,7 +104,7 @@ TEST(ReplacePoints, TellsWhoWasRemoved) {
     if (result.point_of_vertex[v].is_none()) removed.push_back(v);
   }
   EXPECT_FALSE(removed.empty());
-  EXPECT_EQ(result.removed, removed);
+  EXPECT_EQ(result.vertices.removed, removed);
 }
 
 // Who goes may be said by hand; the numbers of vertices that stay are those of the list.
@@ -114,9 +114,9 @@ TEST(ReplacePoints, WhoGoesMayBeSaidByHand) {
   ReplacedVertices vertices;
   vertices.removed = {VertexId(1), VertexId(7)};
   const Replacement result = replace_points(index, vertices, scene.clouds);
-  EXPECT_EQ(result.removed, vertices.removed);
-  EXPECT_EQ(result.kept, scene.model.points.size() - 2);
-  EXPECT_EQ(result.points.size(), result.kept + 3);
+  EXPECT_EQ(result.vertices.removed, vertices.removed);
+  EXPECT_EQ(result.vertices.kept, scene.model.points.size() - 2);
+  EXPECT_EQ(result.points.size(), result.vertices.kept + 3);
   EXPECT_EQ(result.point_of_vertex[VertexId(8)], PointId(6));
   vertices.removed = {VertexId(7), VertexId(1)};
   EXPECT_THROW(replace_points(index, vertices, scene.clouds), InputError);

@@ -22,10 +22,11 @@ TEST(ReplacedVertices, RemovesWhatLiesInsideTheRimAndNothingElse) {
     inside += under ? 1 : 0;
     EXPECT_EQ(result.point_of_vertex[v].is_none(), under) << v.value;
   }
-  EXPECT_EQ(result.replaced, inside);
-  EXPECT_EQ(result.kept, scene.model.points.size() - inside);
-  EXPECT_EQ(result.border_kept + result.border_replaced, scene.regions.border_vertices);
-  EXPECT_EQ(result.points.size(), result.kept + 3);
+  EXPECT_EQ(result.vertices.replaced, inside);
+  EXPECT_EQ(result.vertices.kept, scene.model.points.size() - inside);
+  EXPECT_EQ(result.vertices.border_kept + result.vertices.border_replaced,
+            scene.regions.border_vertices);
+  EXPECT_EQ(result.points.size(), result.vertices.kept + 3);
   EXPECT_EQ(result.duplicates, 0U);
 }
 
@@ -34,16 +35,16 @@ TEST(ReplacedVertices, UnusedVerticesAreNotCarriedOver) {
   scene.model.points.push_back({100, 100, 100});
   scene.regions.group_of_vertex.push_back({});
   const Replacement result = scene.replace();
-  EXPECT_EQ(result.unused_vertices, 1U);
+  EXPECT_EQ(result.vertices.unused_vertices, 1U);
   EXPECT_TRUE(result.point_of_vertex[VertexId(scene.model.points.size() - 1)].is_none());
 }
 
 TEST(ReplacedVertices, ThinningDropsKeptVerticesNearTheCloud) {
   ReplacedDisk scene;
   scene.clouds[0].push_back({2, 3.1, 0});
-  EXPECT_EQ(scene.replace().thinned, 0U);
+  EXPECT_EQ(scene.replace().vertices.thinned, 0U);
   const Replacement thinned = scene.replace({.thinning_distance = 0.5, .scanned = {.rim_zone = 0}});
-  EXPECT_EQ(thinned.thinned, 1U);
+  EXPECT_EQ(thinned.vertices.thinned, 1U);
   EXPECT_TRUE(thinned.point_of_vertex[VertexId(3 * 21 + 2)].is_none());
   // A cloud without points thins nothing.
   scene.clouds.emplace_back();
@@ -78,8 +79,8 @@ TEST(ReplacedVertices, VerticesInTheBorderAreDecidedWhetherThinnedOrNot) {
     const Replacement result =
         replace_points(index, regions, choice, rims, clouds, clouds,
                        {.thinning_distance = thinning, .scanned = {.rim_zone = 0}});
-    EXPECT_EQ(result.border_replaced, 1U);
-    EXPECT_EQ(result.border_kept, 0U);
+    EXPECT_EQ(result.vertices.border_replaced, 1U);
+    EXPECT_EQ(result.vertices.border_kept, 0U);
   }
 }
 
@@ -95,10 +96,11 @@ TEST(ReplacedVertices, AtTheRimSamplesTell) {
   const Replacement result = scene.replace(options);
   EXPECT_FALSE(result.point_of_vertex[inside].is_none());
   EXPECT_TRUE(result.point_of_vertex[outside].is_none());
-  EXPECT_EQ(result.scanned_replaced, 1U);
-  EXPECT_GT(result.unscanned_kept, 0U);
-  EXPECT_EQ(result.replaced,
-            scene.replace().replaced + result.scanned_replaced - result.unscanned_kept);
+  EXPECT_EQ(result.vertices.scanned_replaced, 1U);
+  EXPECT_GT(result.vertices.unscanned_kept, 0U);
+  EXPECT_EQ(result.vertices.replaced, scene.replace().vertices.replaced +
+                                          result.vertices.scanned_replaced -
+                                          result.vertices.unscanned_kept);
   for (const VertexId v : scene.model.points.ids()) {
     const double radius = distance(scene.model.points[v], {10, 10, 0});
     if (std::abs(radius - 6.3) < 0.4) continue;
@@ -116,7 +118,7 @@ TEST(ReplacedVertices, WhereNoRegionGoesNothingBeforeTheRimDoes) {
   for (std::uint8_t& replaced : scene.choice.replaced) replaced = 0;
   const Replacement result = scene.replace(options);
   EXPECT_FALSE(result.point_of_vertex[outside].is_none());
-  EXPECT_EQ(result.scanned_replaced, 0U);
+  EXPECT_EQ(result.vertices.scanned_replaced, 0U);
 }
 
 // Parts the region of the vertex nearest to p by a line that is no border, and adds a rim around p
@@ -142,13 +144,13 @@ void part_at(const Point& p, bool cloud_inside, ReplacedDisk& scene) {
 
 // Where no border is, what lies between two regions goes if both go, and stays if both stay.
 TEST(ReplacedVertices, BetweenRegionsOfOneMindNoRimTells) {
-  const std::vector<VertexId> removed = ReplacedDisk().replace().removed;
+  const std::vector<VertexId> removed = ReplacedDisk().replace().vertices.removed;
   ReplacedDisk inside;
   part_at({10, 10, 0}, false, inside);
-  EXPECT_EQ(inside.replace().removed, removed);
+  EXPECT_EQ(inside.replace().vertices.removed, removed);
   ReplacedDisk outside;
   part_at({10, 1, 0}, true, outside);
-  EXPECT_EQ(outside.replace().removed, removed);
+  EXPECT_EQ(outside.replace().vertices.removed, removed);
 }
 
 // A vertex all of whose facets are border, and a loop around it that says it is outside the cloud.
@@ -176,18 +178,18 @@ TEST(ReplacedVertices, InTheMidstOfWhatGoesNoPartialLoopTells) {
   surround({10, 10, 0}, true, partial);
   const Replacement gone = partial.replace();
   EXPECT_TRUE(gone.point_of_vertex[at].is_none());
-  EXPECT_EQ(gone.enclosed_replaced, 1U);
-  EXPECT_EQ(gone.removed, ReplacedDisk().replace().removed);
+  EXPECT_EQ(gone.vertices.enclosed_replaced, 1U);
+  EXPECT_EQ(gone.vertices.removed, ReplacedDisk().replace().vertices.removed);
   const Replacement off = partial.replace({.scanned = {.rim_zone = 0}, .enclosed_go = false});
   EXPECT_FALSE(off.point_of_vertex[at].is_none());
-  EXPECT_EQ(off.enclosed_replaced, 0U);
+  EXPECT_EQ(off.vertices.enclosed_replaced, 0U);
   ReplacedDisk whole;
   surround({10, 10, 0}, false, whole);
   EXPECT_FALSE(whole.replace().point_of_vertex[at].is_none());
   // Among what stays it stays.
   ReplacedDisk outside;
   surround({10, 1, 0}, true, outside);
-  EXPECT_EQ(outside.replace().removed, ReplacedDisk().replace().removed);
+  EXPECT_EQ(outside.replace().vertices.removed, ReplacedDisk().replace().vertices.removed);
 }
 
 TEST(ReplacedVertices, InputsOfAnotherModelAreRefused) {
@@ -207,10 +209,10 @@ TEST(ReplacedVertices, OverlookedVerticesGo) {
                                             testing::nearest_vertex(disk.model, {10, 10, 0})};
   const Replacement before = disk.replace();
   const Replacement after = disk.replace({.scanned = {.rim_zone = 0}}, {.go = overlooked});
-  EXPECT_EQ(before.overlooked, 0U);
-  EXPECT_EQ(after.overlooked, 1U);
-  EXPECT_EQ(after.replaced, before.replaced + 1);
-  EXPECT_EQ(after.kept, before.kept - 1);
+  EXPECT_EQ(before.vertices.overlooked, 0U);
+  EXPECT_EQ(after.vertices.overlooked, 1U);
+  EXPECT_EQ(after.vertices.replaced, before.vertices.replaced + 1);
+  EXPECT_EQ(after.vertices.kept, before.vertices.kept - 1);
   EXPECT_FALSE(before.point_of_vertex[overlooked[0]].is_none());
   EXPECT_TRUE(after.point_of_vertex[overlooked[0]].is_none());
 }
@@ -221,11 +223,11 @@ TEST(ReplacedVertices, VerticesThatAreSaidToStayStay) {
                                       testing::nearest_vertex(disk.model, {10, 10, 0})};
   const Replacement before = disk.replace();
   const Replacement after = disk.replace({.scanned = {.rim_zone = 0}}, {.stay = stay});
-  EXPECT_EQ(before.unchanged, 0U);
-  EXPECT_EQ(after.unchanged, 1U);
-  EXPECT_EQ(after.overlooked, 0U);
-  EXPECT_EQ(after.replaced, before.replaced - 1);
-  EXPECT_EQ(after.kept, before.kept + 1);
+  EXPECT_EQ(before.vertices.unchanged, 0U);
+  EXPECT_EQ(after.vertices.unchanged, 1U);
+  EXPECT_EQ(after.vertices.overlooked, 0U);
+  EXPECT_EQ(after.vertices.replaced, before.vertices.replaced - 1);
+  EXPECT_EQ(after.vertices.kept, before.vertices.kept + 1);
   EXPECT_TRUE(before.point_of_vertex[stay[1]].is_none());
   EXPECT_FALSE(after.point_of_vertex[stay[1]].is_none());
   const std::vector<VertexId> descending = {stay[1], stay[0]};

@@ -43,19 +43,18 @@ TriangleMesh surface_of_scan(const std::vector<Point>& points) {
 }
 
 TEST(ScanRows, AreToldFromEvenAndFromRandomSamples) {
-  const double least = RowOptions{}.min_ratio;
   for (const double across : {0.0, 0.1, 0.3}) {
-    EXPECT_FALSE(lies_in_rows(surface_of_scan(rows(1, across)), least)) << across;
-    EXPECT_FALSE(lies_in_rows(surface_of_scan(rows(2, across)), least)) << across;
-    EXPECT_TRUE(lies_in_rows(surface_of_scan(rows(5, across)), least)) << across;
-    EXPECT_TRUE(lies_in_rows(surface_of_scan(rows(10, across)), least)) << across;
+    EXPECT_FALSE(lies_in_rows(surface_of_scan(rows(1, across)))) << across;
+    EXPECT_FALSE(lies_in_rows(surface_of_scan(rows(2, across)))) << across;
+    EXPECT_TRUE(lies_in_rows(surface_of_scan(rows(5, across)))) << across;
+    EXPECT_TRUE(lies_in_rows(surface_of_scan(rows(10, across)))) << across;
   }
-  EXPECT_FALSE(lies_in_rows(surface_of_scan(random_sheet(3000)), least));
+  EXPECT_FALSE(lies_in_rows(surface_of_scan(random_sheet(3000))));
   std::vector<Point> twice = rows(1, 0.2, 1);
   for (const Point& p : rows(1, 0.2, 2)) twice.push_back(p + Vec3{0.3, 0.4, 0});
-  EXPECT_FALSE(lies_in_rows(surface_of_scan(twice), least));
-  EXPECT_FALSE(lies_in_rows(surface_of_scan(rows(10, 0)), 0));
-  EXPECT_FALSE(lies_in_rows({}, least));
+  EXPECT_FALSE(lies_in_rows(surface_of_scan(twice)));
+  EXPECT_FALSE(lies_in_rows(surface_of_scan(rows(10, 0)), {.min_ratio = 0}));
+  EXPECT_FALSE(lies_in_rows({}));
 }
 
 TEST(ScanRows, AFourthOfTheTrianglesIsEnough) {
@@ -68,11 +67,11 @@ TEST(ScanRows, AFourthOfTheTrianglesIsEnough) {
   };
   add(0.3);
   for (int i = 0; i < 3; ++i) add(1);
-  EXPECT_TRUE(lies_in_rows(mesh, 3));
+  EXPECT_TRUE(lies_in_rows(mesh));
   add(0);  // two corners are equal: counts for nothing
-  EXPECT_TRUE(lies_in_rows(mesh, 3));
+  EXPECT_TRUE(lies_in_rows(mesh));
   add(1);
-  EXPECT_FALSE(lies_in_rows(mesh, 3));
+  EXPECT_FALSE(lies_in_rows(mesh));
 }
 
 // The distance of rows is 1 everywhere: so none of those kept is closer than a half to another, and
@@ -82,8 +81,7 @@ TEST(ScanRows, ThinnedSamplesAreApartAndCoverTheOthers) {
   const std::vector<Point> once = cloud;
   cloud.insert(cloud.end(), once.begin(), once.begin() + 100);  // equal ones
   const ReconstructResult scan = reconstruct_cocone(once, open_cloud_defaults());
-  const std::vector<PointId> kept =
-      thin_out_rows(cloud, scan.mesh, scan.point_of_vertex, RowOptions{}.spread);
+  const std::vector<PointId> kept = thin_out_rows(cloud, scan.mesh, scan.point_of_vertex);
   EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
   EXPECT_LT(4 * kept.size(), once.size() * 2);
   const auto nearest_kept = [&](std::size_t k) {
@@ -113,7 +111,7 @@ TEST(ScanRows, ThinningIsAFunctionOfTheSetOfPoints) {
   const auto thinned = [](const std::vector<Point>& points) {
     const ReconstructResult scan = reconstruct_cocone(points, open_cloud_defaults());
     std::set<Point> kept;
-    for (const PointId p : thin_out_rows(points, scan.mesh, scan.point_of_vertex, 0.5)) {
+    for (const PointId p : thin_out_rows(points, scan.mesh, scan.point_of_vertex)) {
       kept.insert(points[p.index()]);
     }
     return kept;

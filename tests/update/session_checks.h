@@ -81,8 +81,8 @@ inline void expect_equal_reports(const UpdateResult& actual, const UpdateResult&
   EXPECT_TRUE(actual.regions.group_of_vertex == expected.regions.group_of_vertex);
   EXPECT_EQ(actual.regions.regions.size(), expected.regions.regions.size());
   EXPECT_EQ(actual.replaced_groups, expected.replaced_groups);
-  EXPECT_EQ(actual.replacement.replaced, expected.replacement.replaced);
-  EXPECT_EQ(actual.replacement.kept, expected.replacement.kept);
+  EXPECT_EQ(actual.replacement.vertices.replaced, expected.replacement.vertices.replaced);
+  EXPECT_EQ(actual.replacement.vertices.kept, expected.replacement.vertices.kept);
   EXPECT_EQ(actual.replacement.duplicates, expected.replacement.duplicates);
   EXPECT_EQ(actual.unscanned.far, expected.unscanned.far);
   EXPECT_EQ(actual.unscanned.vertices, expected.unscanned.vertices);

@@ -51,6 +51,7 @@ const std::vector<Change> wrong = {
     [](UpdateOptions& o) { o.cut.min_told = nan; },
     [](UpdateOptions& o) { o.cut.ends.off_model = nan; },
     [](UpdateOptions& o) { o.cut.disproved.apart = -1; },
+    [](UpdateOptions& o) { o.cut.disproved.step = 0; },
     [](UpdateOptions& o) { o.cut.moved.reach = nan; },
     [](UpdateOptions& o) { o.cut.moved.unconfirmed_cost = -1; },
     [](UpdateOptions& o) { o.cut.moved.unconfirmed.height = nan; },
@@ -97,6 +98,13 @@ TEST(StageOptions, OneNumberOutOfRangeIsRefusedBeforeAnythingBegins) {
     }
     EXPECT_THROW(UpdateSession(TriangleMesh(), options), InputError) << i;
   }
+}
+
+// They name regions of an update that has not begun.
+TEST(StageOptions, ASessionRefusesOverridesOfItsOwn) {
+  UpdateOptions options;
+  options.overrides.replaced = {RegionId(1U)};
+  EXPECT_THROW(UpdateSession(TriangleMesh(), options), InputError);
 }
 
 // What an experimenter calls alone says which stage it was.

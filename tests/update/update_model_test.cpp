@@ -50,8 +50,8 @@ TEST_F(RimsOfLayers, ThatAreRefusedAreLookedForAmongFewSamples) {
     EXPECT_TRUE(result.clouds[0].surface.is_layered);
     EXPECT_EQ(result.warnings.front().find("cloud 1 of 1: samples lie in layers, and the rim"), 0U)
         << result.warnings.front();
-    EXPECT_GT(result.replacement.replaced, 300U);
-    EXPECT_LT(result.replacement.replaced, 420U);
+    EXPECT_GT(result.replacement.vertices.replaced, 300U);
+    EXPECT_LT(result.replacement.vertices.replaced, 420U);
   }
 }
 

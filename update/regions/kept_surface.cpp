@@ -53,16 +53,16 @@ std::vector<PointId> KeptSurface::torn() const {
     }
   };
   regions_.region_of_facet.visit_where([&](RegionId r) { return is_replaced(r); }, take);
-  for (const VertexId v : replacement_.removed) model_.for_each_triangle_at(v, take);
+  for (const VertexId v : replacement_.vertices.removed) model_.for_each_triangle_at(v, take);
   return points;
 }
 
 std::vector<KnownTriangle> KeptSurface::at(std::span<const PointId> points) const {
-  const std::vector<VertexId>& removed = replacement_.removed;
+  const std::vector<VertexId>& removed = replacement_.vertices.removed;
   std::vector<TriangleId> triangles;
   std::uint32_t gone = 0;  // so many vertices before this one
   for (const PointId p : points) {
-    if (p.index() >= replacement_.kept) break;  // of a cloud
+    if (p.index() >= replacement_.vertices.kept) break;  // of a cloud
     // Kept vertices are the first points, in their order.
     while (gone < removed.size() && removed[gone].value <= p.value + gone) ++gone;
     model_.for_each_triangle_at(VertexId(p.value + gone),

@@ -145,11 +145,12 @@ std::vector<VertexId> unchanged_rest(const ModelIndex& model, std::span<const Ve
     return !group.is_none() && choice.replaced[group] == 0;
   };
   const auto is_said_to_go = [&](VertexId v) {
-    for (const TriangleId t : model.triangles_at(v)) {
+    bool is_said = false;
+    model.for_each_triangle_at(v, [&](TriangleId t) {
       const RegionId r = regions.region_of_facet[t];
-      if (std::find(said_to_go.begin(), said_to_go.end(), r) != said_to_go.end()) return true;
-    }
-    return false;
+      is_said |= std::find(said_to_go.begin(), said_to_go.end(), r) != said_to_go.end();
+    });
+    return is_said;
   };
   const Evidence evidence(model, scans, clouds, options);
   std::vector<Piece> pieces;

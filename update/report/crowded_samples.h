@@ -32,6 +32,9 @@ struct CrowdedOptions {
   // What layers make, in times their thickness: handles with a way around or through them that is
   // no longer, and parts with a box that is no larger. Where layers lie far apart both are wider.
   double max_width = 36;
+  // The other surface is taken if of wider handles it lacks no more than this share of the narrow
+  // ones that it is rid of: some of what layers make is wider, and some narrow handles are true.
+  double max_lost_share = 1.0 / 3;
 };
 
 // Of clouds in which they are many; those that are joined are one.

@@ -28,9 +28,9 @@ LostTriangles lost_triangles(const TriangleMesh& model,
                              const IdVector<TriangleId, TriangleId>& triangle_map);
 
 struct AstrayOptions {
-  // The middle of a triangle is off the updated mesh if farther from it than this share of the
-  // triangle's longest side, and than this many spacings of the scans, the largest of several: a
-  // plate under large triangles may be thinner than that share of them.
+  // The middle of a triangle is off the updated mesh if farther from it than the smaller one of
+  // this share of the triangle's longest side and this many spacings of the scans, the largest of
+  // several: a plate under large triangles may be thinner than that share of them.
   double tolerance = 0.05;
   double most_spacings = 0.5;
   // A place has been scanned if a sample lies within this many spacings of its cloud.
@@ -39,9 +39,9 @@ struct AstrayOptions {
   // too coarse if astray triangles are; else something else went wrong.
   double coarse_ratio = 3;
   // And only if longer than this share of the extent of the change, too (large_side): of others
-  // little is lost beside the change, but of models
-  // that were scanned more coarsely all triangles of what was changed would seem lost; on the
-  // paper's models they are 0.015 to 0.04 of the extent.
+  // little is lost beside the change, but of models that were scanned more coarsely all triangles
+  // of what was changed would seem lost; on the paper's models they are 0.015 to 0.04 of the
+  // extent.
   double min_extent_share = 0.1;
   // Sides of large triangles are divided into parts no longer, at most so many.
   std::size_t most_parts = 8;

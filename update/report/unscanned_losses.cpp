@@ -140,7 +140,7 @@ std::vector<VertexId> lost_vertices(const ModelIndex& model, const Replacement& 
                                     const IdVector<VertexId, VertexId>& vertex_map, bool all_used) {
   std::vector<VertexId> lost;
   if (all_used) {
-    lost = replacement.removed;
+    lost = replacement.vertices.removed;
   } else {
     require_size("lost_vertices", "vertices of the map", vertex_map.size(),
                  model.mesh().points.size());

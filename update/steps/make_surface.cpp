@@ -125,13 +125,13 @@ Features features(const UpdateRun& run, std::span<const Triangle> triangles) {
   return found;
 }
 
-// Whether it has less of what layers make, and what else it has not is little beside that: some of
-// what they make is wider, and some narrower handles are true.
-bool is_better(const Features& fewer, const Features& all) {
+// Whether it has less of what layers make, and what else it has not is little beside that.
+bool is_better(const Features& fewer, const Features& all, const CrowdedOptions& options) {
   const std::ptrdiff_t mended = all.narrow - fewer.narrow;
   const std::ptrdiff_t lost = all.handles - fewer.handles - mended;
   return fewer.narrow + fewer.small < all.narrow + all.small && fewer.large >= all.large &&
-         3 * lost <= std::max<std::ptrdiff_t>(mended, 0);
+         static_cast<double>(lost) <=
+             options.max_lost_share * static_cast<double>(std::max<std::ptrdiff_t>(mended, 0));
 }
 
 std::size_t unexplained(const UpdateResult& result) {
@@ -145,15 +145,15 @@ void try_without_crowded(const Attempts& attempts, std::span<const Triangle> tri
   UpdateRun& run = attempts.run;
   CrowdedSamples& crowded = run.result.crowded;
   const CrowdedOptions& options = run.options.crowded;
-  crowded = crowded_samples(*run.index, run.result.replacement.removed, run.joined, run.given,
-                            options, execution);
+  crowded = crowded_samples(*run.index, run.result.replacement.vertices.removed, run.joined,
+                            run.given, options, execution);
   if (!options.leave_out || crowded.in_layers == 0) return;
   const Features all = features(run, triangles);
   if (all.narrow + all.small == 0) return;
   const std::size_t before = unexplained(run.result);
   const bool is_taken = run_step(execution, "without_crowded", [&](const Execution& nested) {
     const auto of_fewer = attempt(attempts, crowded.is_in_layers, nested);
-    return of_fewer && is_better(features(run, *of_fewer), all);
+    return of_fewer && is_better(features(run, *of_fewer), all, options);
   });
   if (is_taken) {
     run.warn(warning_of_left_out(crowded, before, unexplained(run.result)));

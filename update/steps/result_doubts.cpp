@@ -22,7 +22,7 @@ void warn_of_overlooked(const ModelIndex& model, const OverlookedOptions& option
   if (!result.overlooked.is_doubtful(options)) return;
   result.warnings.push_back(warning_of_overlooked(result.overlooked,
                                                   model.mesh().points[result.overlooked.farthest],
-                                                  options, result.replacement.overlooked));
+                                                  options, result.replacement.vertices.overlooked));
 }
 
 void warn_of_loose_parts(UpdateResult& result) {

@@ -126,7 +126,7 @@ TEST(CellEnergy, LongFacetsCostMore) {
   std::size_t stretched = 0;
   for (const CellId c : t.finite_cells()) {
     for (int i = 0; i < 4; ++i) {
-      const std::array<VertexId, 3> v = t.facet_vertices(facet_id(c, i));
+      const Triangle v = t.facet_vertices(facet_id(c, i));
       double length = 0;
       double spacing = 0;
       for (std::size_t k = 0; k < 3; ++k) {

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "cocone/live/lent_delaunay.h"
 #include "delaunay/dynamic_delaunay.h"
+#include "delaunay/lent_delaunay.h"
 
 namespace cocoon {
 

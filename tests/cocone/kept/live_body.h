@@ -81,8 +81,7 @@ class LiveBody {
     return out;
   }
 
-  static CornerPoints corner_points(const Triangulation& triangulation,
-                                    const std::array<VertexId, 3>& corners) {
+  static CornerPoints corner_points(const Triangulation& triangulation, const Triangle& corners) {
     CornerPoints points;
     for (std::size_t k = 0; k < 3; ++k) points[k] = triangulation.point(corners[k]);
     std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());

@@ -39,13 +39,13 @@ TEST(EditedIds, GoWhereTheirElementsWent) {
       const std::size_t spread = 1 + random.below(k % 2 == 0 ? size : 20);
       const std::size_t first = random.below(size - spread + 1);
       std::vector<VertexId> ids;
-      std::vector<std::array<VertexId, 3>> triples(random.below(40));
+      std::vector<Triangle> triples(random.below(40));
       for (auto& triple : triples) {
         for (VertexId& v : triple) ids.push_back(v = VertexId(first + random.below(spread)));
       }
       const std::vector<VertexId> before = ids;
       edited.renew(std::span<VertexId>(ids));
-      edited.renew(std::span<std::array<VertexId, 3>>(triples));
+      edited.renew(std::span<Triangle>(triples));
       for (std::size_t i = 0; i < ids.size(); ++i) {
         ASSERT_EQ(ids[i], places[before[i]]);
         ASSERT_EQ(triples[i / 3][i % 3], places[before[i]]);

@@ -54,7 +54,7 @@ TEST(KeptSurface, TrianglesOfKeptRegionsAreKnown) {
   EXPECT_GE(known.size(), far);
   for (const KnownTriangle& t : known) {
     for (const PointId p : t) {
-      ASSERT_LT(p.index(), result.kept);
+      ASSERT_LT(p.index(), result.vertices.kept);
       EXPECT_GT(distance(result.points[p.index()], {10, 10, 0}), 6.3);
     }
     const Point& a = result.points[t[0].index()];
@@ -124,7 +124,7 @@ TEST(KeptSurface, WhatIsUndisturbedIsToldByTheModel) {
   Replacement replacement;
   const Points points = model.points.span();
   replacement.points.assign(points.begin(), points.end());
-  replacement.kept = points.size();
+  replacement.vertices.kept = points.size();
   for (const VertexId v : model.points.ids()) {
     replacement.point_of_vertex.push_back(PointId(v.value));
   }

@@ -155,10 +155,11 @@ TEST(OverlookedVertices, GoWhereGroupsOfSamplesLieOnTheModel) {
   const UpdateResult kept = updated(false);
   const UpdateResult result = updated(true);
   ASSERT_EQ(result.status, UpdateStatus::ok);
-  EXPECT_EQ(kept.replacement.overlooked, 0U);
-  EXPECT_GE(result.replacement.overlooked, groups);
+  EXPECT_EQ(kept.replacement.vertices.overlooked, 0U);
+  EXPECT_GE(result.replacement.vertices.overlooked, groups);
   EXPECT_EQ(result.overlooked.vertices, kept.overlooked.vertices);
-  EXPECT_EQ(result.replacement.replaced, kept.replacement.replaced + result.replacement.overlooked);
+  EXPECT_EQ(result.replacement.vertices.replaced,
+            kept.replacement.vertices.replaced + result.replacement.vertices.overlooked);
   EXPECT_LT(result.reconstruction.unused_points, kept.reconstruction.unused_points);
   const MeshReport report = mesh_check(result.mesh);
   EXPECT_TRUE(report.is_closed_manifold());

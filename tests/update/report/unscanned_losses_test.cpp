@@ -136,7 +136,7 @@ TEST(UnscannedLosses, AreLookedForAmongUsedVertices) {
   model.points.push_back({5, 5, 5});
   const ModelIndex index(model);
   Replacement replacement;
-  replacement.removed = {VertexId(1U), VertexId(9U)};
+  replacement.vertices.removed = {VertexId(1U), VertexId(9U)};
   IdVector<VertexId, VertexId> map;
   for (const VertexId v : model.points.ids()) map.push_back(v);
   map[VertexId(1U)] = map[VertexId(4U)] = map[VertexId(9U)] = VertexId();

@@ -1,4 +1,4 @@
-#include "cocone/live/star_finder.h"
+#include "delaunay/star_finder.h"
 
 #include <array>
 

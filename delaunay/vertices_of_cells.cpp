@@ -1,4 +1,4 @@
-#include "cocone/facets/vertices_of_cells.h"
+#include "delaunay/vertices_of_cells.h"
 
 #include <cstdint>
 

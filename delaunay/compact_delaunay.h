@@ -1,10 +1,6 @@
-// A changing triangulation, and what is known of its points, without the gaps that changes leave.
+// A changing triangulation without the gaps that changes leave.
 #pragma once
 
-#include "cocone/kept/certified_surface.h"
-#include "cocone/kept/kept_stages.h"
-#include "cocone/live/live_candidates.h"
-#include "cocone/live/surface_state.h"
 #include "delaunay/dynamic_delaunay.h"
 #include "delaunay/triangulation.h"
 #include "geom/id_vector.h"
@@ -25,10 +21,5 @@ CompactDelaunay compact_delaunay(const DynamicDelaunay& delaunay,
                                  const IdVector<PointId, VertexId>& vertex_of_point);
 CompactDelaunay compact_delaunay(DynamicDelaunay&& delaunay,
                                  const IdVector<PointId, VertexId>& vertex_of_point);
-
-// What the stages found, in its numbers, as far as it exists: up to pruning, and from there on the
-// certified surface, or marks and body that are kept; to be kept elsewhere. Complexity: O(slots).
-SurfaceState surface_state(const LiveCandidates& candidates, const CertifiedSurface& certified,
-                           const KeptStages& kept, const CompactDelaunay& whole);
 
 }  // namespace cocoon
