@@ -42,9 +42,15 @@ void add_labels_of_solid(const Triangulation& triangulation, const SolidDistance
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double height = heights[i].deepest();
     if (!(std::abs(height) > options.min_depth * heights[i].longest_edge)) continue;
+    const CellLabel told = height > 0 ? CellLabel::out : CellLabel::in;
     CellLabel& label = known.labels[cells[i]];
-    if (label == CellLabel::unmarked) ++known.cells;
-    label = height > 0 ? CellLabel::out : CellLabel::in;
+    if (label == CellLabel::unmarked) {
+      label = told;
+      ++known.cells;
+    } else if (label != told) {
+      label = CellLabel::unmarked;
+      --known.cells;
+    }
   }
 }
 
