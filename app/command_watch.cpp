@@ -274,7 +274,7 @@ class Watch {
       return refuse(drop, error.what());
     }
     if (update.result.status != UpdateStatus::ok) return refuse(drop, update.result.message);
-    if (is_first) add_lost_surface_warning(before, drop, tried, update);
+    if (is_first) add_lost_surface_warnings(before, drop, tried, update);
     // Where the surface is certain, and of all samples, there is nothing to find.
     const ReconstructResult& surface = update.result.reconstruction;
     if (session_.session().local_changes() == local_before || surface.unused_points > 0 ||
@@ -309,12 +309,13 @@ class Watch {
   }
 
   // A mesh that is no dense sampling of its surface loses some with its first update.
-  void add_lost_surface_warning(const TriangleMesh& model, const DroppedClouds& drop,
-                                const std::string& tried, SessionUpdate& update) const {
+  void add_lost_surface_warnings(const TriangleMesh& model, const DroppedClouds& drop,
+                                 const std::string& tried, SessionUpdate& update) const {
     LostSurface lost = lost_surface(model, drop.clouds, update, session_.model());
     lost.tried = tried;
-    if (!lost.warns) return;
-    update.result.warnings.push_back(warning_of_lost_surface(lost, arguments_.model, model));
+    std::vector<std::string>& warnings = update.result.warnings;
+    if (lost.warns) warnings.push_back(warning_of_lost_surface(lost, arguments_.model, model));
+    if (lost.makes_up) warnings.push_back(warning_of_made_up_surface(lost, arguments_.model));
   }
 
   // What is doubtful about the model, once no cloud waits for it: that takes passes over the whole.

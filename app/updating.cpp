@@ -164,6 +164,9 @@ void write_update(Job& job, const UpdateInput& input, UpdateOutcome outcome,
   if (outcome.lost.warns) {
     result.warnings.push_back(warning_of_lost_surface(outcome.lost, input.model_name, input.model));
   }
+  if (outcome.lost.makes_up) {
+    result.warnings.push_back(warning_of_made_up_surface(outcome.lost, input.model_name));
+  }
   for (std::string& warning : result.warnings) {
     warning = with_cloud_names(warning, input.cloud_names);
   }

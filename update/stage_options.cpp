@@ -7,6 +7,7 @@
 #include "geom/messages/require_number.h"
 #include "update/model/orient_outward.h"
 #include "update/report/lost_triangles.h"
+#include "update/report/made_up_surface.h"
 #include "update/stray_samples.h"
 #include "update/update_model.h"
 
@@ -91,6 +92,11 @@ void require_options(const char* stage, const UnconfirmedOptions& options) {
   require_amounts(stage, {{"cut.moved.unconfirmed.reach", options.reach},
                           {"cut.moved.unconfirmed.height", options.height},
                           {"cut.moved.unconfirmed.near", options.near}});
+}
+
+void require_options(const char* stage, const MadeUpOptions& options) {
+  require_amounts(stage, {{"made_up.distance", options.distance}});
+  require_options(stage, options.astray);
 }
 
 void require_options(const char* stage, const MovedCutOptions& options) {

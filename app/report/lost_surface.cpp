@@ -10,6 +10,7 @@
 #include "geom/messages/place_name.h"
 #include "update/report/cloud_report.h"
 #include "update/report/model_places.h"
+#include "update/report/updated_vertices.h"
 
 namespace cocoon::app {
 
@@ -35,26 +36,48 @@ std::vector<TriangleId> large_lost(const TriangleMesh& model, const SessionUpdat
   return lost;
 }
 
-std::vector<TriangleId> large_new(const TriangleMesh& updated, const MeshChange& change,
-                                  double large) {
+// The triangles of the updated mesh that the model has not.
+std::vector<TriangleId> new_triangles(const TriangleMesh& updated, const MeshChange& change) {
   IdVector<TriangleId, std::uint8_t> was_there(updated.triangles.size(), 0);
   for (const TriangleId t : change.triangle_map) {
     if (!t.is_none()) was_there[t] = 1;
   }
   std::vector<TriangleId> added;
   for (const TriangleId t : updated.triangles.ids()) {
-    if (was_there[t] == 0 && longest_edge(updated, t) > large) added.push_back(t);
+    if (was_there[t] == 0) added.push_back(t);
   }
   return added;
 }
 
+std::vector<TriangleId> large_among(std::span<const TriangleId> triangles, const TriangleMesh& mesh,
+                                    double large) {
+  std::vector<TriangleId> found;
+  for (const TriangleId t : triangles) {
+    if (longest_edge(mesh, t) > large) found.push_back(t);
+  }
+  return found;
+}
+
+// Those without a vertex of a cloud.
+std::vector<TriangleId> between_old_vertices(std::span<const TriangleId> triangles,
+                                             const TriangleMesh& mesh, VertexId first_of_clouds) {
+  std::vector<TriangleId> found;
+  for (const TriangleId t : triangles) {
+    const Triangle& corners = mesh.triangles[t];
+    const bool all_old = std::all_of(corners.begin(), corners.end(),
+                                     [&](VertexId v) { return v < first_of_clouds; });
+    if (all_old) found.push_back(t);
+  }
+  return found;
+}
+
 // LostSurface::large_share. Of most models no triangle is that large.
 double large_share_of(const TriangleMesh& model, const TriangleMesh& updated,
-                      const SessionUpdate& update, std::span<const Scan> scans,
-                      const AstrayOptions& options) {
+                      std::span<const TriangleId> new_ones, const SessionUpdate& update,
+                      std::span<const Scan> scans, const AstrayOptions& options) {
   const double large = large_side(scans, options);
   const std::vector<TriangleId> lost = large_lost(model, update, large);
-  const std::vector<TriangleId> added = large_new(updated, update.change, large);
+  const std::vector<TriangleId> added = large_among(new_ones, updated, large);
   if (lost.empty() && added.empty()) return 0;
   const UnscannedPlaces places(scans, options);
   const double area = places.area_off(places.of(model, lost), updated) +
@@ -73,7 +96,14 @@ LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vecto
       lost_triangles(model, result.replacement.point_of_vertex, update.change.triangle_map);
   const LostTriangles& found = lost.triangles;
   const std::vector<Scan> scans = scans_of(clouds, result.clouds);
-  lost.large_share = large_share_of(model, updated, update, scans, options.astray);
+  const std::vector<TriangleId> added = new_triangles(updated, update.change);
+  lost.large_share = large_share_of(model, updated, added, update, scans, options.astray);
+  lost.made_up = made_up_surface(
+      model, updated,
+      between_old_vertices(added, updated, first_vertex_of_clouds(update.change.vertex_map)), scans,
+      {.astray = options.astray});
+  lost.spacing = largest_spacing(scans);
+  lost.makes_up = lost.made_up.places > 0 && result.closed_openings.edges == 0;
   if (!(found.lost_area > options.min_coarse_share * found.staying_area)) return lost;
   lost.astray = astray_triangles(model, found.lost, updated, scans, options.astray);
   lost.share = lost.astray.area / found.staying_area;
@@ -87,6 +117,8 @@ void add_lost_surface(JsonReport& report, const LostSurface& lost) {
   report.set("update/staying_triangles", lost.triangles.staying);
   report.set("update/lost_triangles", lost.triangles.lost.size());
   if (lost.share) report.set("update/astray_area_share", *lost.share);
+  report.set("update/made_up_places", lost.made_up.places);
+  if (lost.made_up.places > 0) report.set("update/made_up_distance", lost.made_up.distance);
 }
 
 std::string warning_of_lost_surface(const LostSurface& lost, const std::string& model_name,
@@ -106,6 +138,14 @@ std::string warning_of_lost_surface(const LostSurface& lost, const std::string& 
   return warning + fmt::format(" ({}, as at {}); look at the result",
                                counted(lost.astray.count, "triangle"),
                                place_name(model.points[corners[0]]));
+}
+
+std::string warning_of_made_up_surface(const LostSurface& lost, const std::string& model_name) {
+  const MadeUpSurface& made_up = lost.made_up;
+  return fmt::format(
+      "the new surface joins vertices of {} where nothing was scanned, up to {:.3g} ({:.1f} times "
+      "the spacing) off its surface, as at {}; look at the result",
+      model_name, made_up.distance, made_up.distance / lost.spacing, place_name(made_up.farthest));
 }
 
 }  // namespace cocoon::app

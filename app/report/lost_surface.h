@@ -10,6 +10,7 @@
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
 #include "update/report/lost_triangles.h"
+#include "update/report/made_up_surface.h"
 #include "update/update_model.h"
 #include "update/update_session.h"
 
@@ -37,7 +38,10 @@ struct LostSurface {
   // be little. And what large new ones have made up there, off the model. As a share of the model's
   // area.
   double large_share = 0;
-  std::string tried;  // what became of a trial that was not taken; empty: there was none
+  MadeUpSurface made_up;  // off the model, between its vertices, where nothing was scanned
+  double spacing = 0;     // of the scans, the largest
+  bool makes_up = false;  // that is worth a warning: it does not close openings of the model
+  std::string tried;      // what became of a trial that was not taken; empty: there was none
 };
 
 // Of a model that is sampled densely hardly any triangle is lost beside the change. Precondition:
@@ -53,5 +57,8 @@ void add_lost_surface(JsonReport& report, const LostSurface& lost);
 // What the user is told, and what to do. Precondition: lost.warns.
 std::string warning_of_lost_surface(const LostSurface& lost, const std::string& model_name,
                                     const TriangleMesh& model);
+
+// Likewise. Precondition: lost.makes_up.
+std::string warning_of_made_up_surface(const LostSurface& lost, const std::string& model_name);
 
 }  // namespace cocoon::app

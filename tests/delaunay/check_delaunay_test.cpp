@@ -48,7 +48,8 @@ TEST(CheckDelaunay, AcceptsTheOracleOnGenericAndDegenerateSets) {
     const Triangulation triangulation = ref::cgal_delaunay(points);
     const DelaunayReport report = check_delaunay(triangulation, {.threads = 2});
     EXPECT_TRUE(report.ok()) << report.first_violation;
-    if (triangulation.num_vertices() <= 600) EXPECT_EQ(ref::occupied_pairs(triangulation), 0U);
+    if (triangulation.num_vertices() > 600) continue;
+    EXPECT_EQ(ref::occupied_pairs(triangulation), 0U);
   }
 }
 

@@ -49,7 +49,8 @@ TEST(ReplacedVertices, ThinningDropsKeptVerticesNearTheCloud) {
   // A cloud without points thins nothing.
   scene.clouds.emplace_back();
   scene.rims.push_back(scene.rims[0]);
-  EXPECT_EQ(scene.replace({.thinning_distance = 0.5, .scanned = {.rim_zone = 0}}).thinned, 1U);
+  EXPECT_EQ(scene.replace({.thinning_distance = 0.5, .scanned = {.rim_zone = 0}}).vertices.thinned,
+            1U);
 }
 
 // Closer than a share of the spacing of the cloud's own rim; as far as that is not closer.
@@ -58,7 +59,7 @@ TEST(ReplacedVertices, ThinningReachesAShareOfTheSpacingOfEachCloud) {
   scene.clouds[0].push_back({2, 3.125, 0});
   const auto thinned = [&](double spacing) {
     scene.rims[0].spacing = spacing;
-    return scene.replace({.thinning_distance = 0.5, .scanned = {.rim_zone = 0}}).thinned;
+    return scene.replace({.thinning_distance = 0.5, .scanned = {.rim_zone = 0}}).vertices.thinned;
   };
   EXPECT_EQ(thinned(0.2), 0U);
   EXPECT_EQ(thinned(0.25), 0U);

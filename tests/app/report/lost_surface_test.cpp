@@ -1,6 +1,7 @@
 #include "app/report/lost_surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -63,6 +64,30 @@ TEST(LostSurface, IsNotOfReplacedRegions) {
   EXPECT_EQ(lost_surface(box.model, box.clouds, box.update, box.updated).large_share, 0);
   result.replaced_groups = {RegionId(2U)};
   EXPECT_GT(lost_surface(box.model, box.clouds, box.update, box.updated).large_share, 0.4);
+}
+
+// The spacing is 0.5, and the triangles that have gone are the corner of a box of 10: a triangle
+// before them cuts it off, at a distance of 10 / sqrt(3) from the corner.
+TEST(LostSurface, TellsOfSurfaceThatIsMadeUp) {
+  BoxUpdate box(VertexId(0U), 0.5);
+  EXPECT_FALSE(lost_surface(box.model, box.clouds, box.update, box.updated).makes_up);
+  const Point corner = box.model.points[VertexId(0U)];
+  Triangle beside;
+  std::size_t count = 0;
+  for (const VertexId v : box.model.points.ids()) {
+    if (std::abs(distance(corner, box.model.points[v]) - 10) < 1e-9) beside.at(count++) = v;
+  }
+  ASSERT_EQ(count, 3U);
+  box.updated.triangles.push_back(beside);
+  const LostSurface lost = lost_surface(box.model, box.clouds, box.update, box.updated);
+  EXPECT_TRUE(lost.makes_up);
+  EXPECT_GT(lost.made_up.places, 30U);
+  EXPECT_GT(lost.made_up.distance, 2.5);  // between the sides of the corner
+  EXPECT_LT(lost.made_up.distance, 10 / 3.0 + 0.1);
+  EXPECT_NE(warning_of_made_up_surface(lost, "box").find(" times the spacing) off its surface"),
+            std::string::npos);
+  box.update.result.closed_openings.edges = 3;
+  EXPECT_FALSE(lost_surface(box.model, box.clouds, box.update, box.updated).makes_up);
 }
 
 TEST(LostSurface, IsNoneWhereAllIsKept) {

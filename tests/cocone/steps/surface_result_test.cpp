@@ -54,7 +54,7 @@ TEST_F(SurfaceOfASphere, HasTheUsersCoordinates) {
     EXPECT_EQ(made.result.mesh.points[v], points_[made.result.point_of_vertex[v].index()]);
     EXPECT_EQ(made.result.normals[v], found_.poles.normals[made.triangulation_vertex[v]]);
   }
-  verify_result(input(), true, made, {});
+  verify_result(input(), SurfaceKind::closed, made, {});
   EXPECT_TRUE(made.result.verification.ok());
 }
 
@@ -74,12 +74,12 @@ TEST_F(SurfaceOfASphere, WhatIsRefutedIsTakenBackIfAskedFor) {
   SurfaceResult made = begin_result(input());
   enter_mesh(input(), found_, torn, made, {});
   options_.verify = false;
-  verify_result(input(), true, made, {});
+  verify_result(input(), SurfaceKind::closed, made, {});
   EXPECT_EQ(made.result.status, SurfaceStatus::ok);
   options_.verify = true;
-  verify_result(input(), false, made, {});
+  verify_result(input(), SurfaceKind::open, made, {});
   EXPECT_EQ(made.result.status, SurfaceStatus::ok);
-  verify_result(input(), true, made, {});
+  verify_result(input(), SurfaceKind::closed, made, {});
   EXPECT_EQ(made.result.status, SurfaceStatus::refuted);
   EXPECT_TRUE(made.result.mesh.triangles.empty());
   EXPECT_TRUE(made.result.point_of_vertex.empty());
