@@ -168,7 +168,7 @@ void write_update(Job& job, const UpdateInput& input, UpdateOutcome outcome,
     result.warnings.push_back(warning_of_made_up_surface(outcome.lost, input.model_name));
   }
   for (std::string& warning : result.warnings) {
-    warning = with_cloud_names(warning, input.cloud_names);
+    warning = with_option_names(with_cloud_names(warning, input.cloud_names));
   }
   const NoiseFilter filter = noise_filter_of_update(!input.strays.empty());
   std::vector<std::string> notes = notes_of_clouds(result, input.cloud_names, options);

@@ -17,7 +17,7 @@ struct PageView {
 };
 
 struct PageViewOptions {
-  double enough = 0.6;
+  double enough = 0.5;
   std::size_t asked = 400;  // triangles, at most
 };
 

@@ -123,7 +123,7 @@ TEST(UpdateOutcomes, AThimbleThatStandsUprightIsAmbiguous) {
   EXPECT_TRUE(result.message.starts_with("cloud 2 of 2" + words)) << result.message;
   EXPECT_TRUE(
       result.message.ends_with("); let the cloud reach farther onto unchanged surface, or "
-                               "say which of them goes"))
+                               "say which group goes"))
       << result.message;
 
   const Files files(model, clouds);
@@ -136,7 +136,7 @@ TEST(UpdateOutcomes, AThimbleThatStandsUprightIsAmbiguous) {
 TEST(UpdateOutcomes, WhoSaysWhichGroupGoesIsNotRefused) {
   const Files files(testing::block(40, 20, 8),
                     {cap_with_hill({30, 10, 8}, 1), thimble({12, 10, 8}, 0.6)});
-  files.expect_refused({}, ", or say which of them goes by --replace-groups");
+  files.expect_refused({}, ", or say which group goes by --replace-groups");
   files.expect_refused({"--replace-groups", "7"}, "there is no group 7; they are 0 to 2");
   files.expect_refused({"--keep-groups", "0"}, "(ambiguous): ");
   const auto usual = [&](const std::vector<std::string>& options) {

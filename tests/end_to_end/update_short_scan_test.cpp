@@ -137,7 +137,7 @@ TEST_F(UpdateShortScan, IsRefusedIfSamplesDoNotTell) {
   EXPECT_NE(result.message.find("turns away from it on both sides of its rim (group 0: "),
             std::string::npos)
       << result.message;
-  EXPECT_NE(result.message.find("or say which of them goes"), std::string::npos);
+  EXPECT_NE(result.message.find("or say which group goes"), std::string::npos);
 }
 
 // A pocket is filled, and the scan ends at its mouth. Its samples are near neither the walls nor

@@ -146,7 +146,8 @@ std::string warning_of_handle_across_rim() {
 std::vector<std::string> warnings_of_cut(const RegionCut& cut) {
   if (cut.scan_ends == 0) return {};
   return {"the samples end on the model where no rim was found (" +
-          counted(cut.scan_ends, "facet") + "); what is beyond stays"};
+          counted(cut.scan_ends, "facet") + "); what is beyond stays; if it has gone, " +
+          std::string(advice_of_groups)};
 }
 
 std::vector<std::string> notes_of_cut(const RegionCut& cut, const CutOptions& options) {

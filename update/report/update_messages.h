@@ -23,9 +23,9 @@
 
 namespace cocoon {
 
-// In what advises to choose among groups (reason_of_ambiguity, reason_of_turned_away): a program
-// may add how.
-inline constexpr std::string_view advice_of_groups = "say which of them goes";
+// In what advises to choose among groups (reason_of_ambiguity, reason_of_turned_away,
+// warnings_of_cut): a program may add how.
+inline constexpr std::string_view advice_of_groups = "say which group goes";
 
 // "cloud 2 of 3", "cloud 1 of 5 (with cloud 2 of 5 and cloud 4 of 5)"; `members`: at least one,
 // ascending, from 0.

@@ -174,7 +174,7 @@ TEST(UpdateMessages, AnglesAreInDegrees) {
   turned_away.is_told_by_samples = false;
   EXPECT_TRUE(says({warning_of_turned_away(turned_away)},
                    "not tell which group goes, so the smaller angle does; look"));
-  EXPECT_TRUE(says({reason_of_turned_away(groups)}, "surface, or say which of them goes"));
+  EXPECT_TRUE(says({reason_of_turned_away(groups)}, "surface, or say which group goes"));
   EXPECT_TRUE(reason_of_turned_away({}).ends_with("reach onto unchanged surface"));
   EXPECT_EQ(warning_of_narrow_margin(12.3456),
             "its regions differ by only 12.35 degrees; look at the result");
