@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "delaunay/circulate.h"
 #include "delaunay/vertex_stars.h"
 #include "geom/orient3d.h"
 #include "geom/perturbation.h"

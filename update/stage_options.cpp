@@ -96,7 +96,6 @@ void require_options(const char* stage, const UnconfirmedOptions& options) {
 
 void require_options(const char* stage, const MadeUpOptions& options) {
   require_amounts(stage, {{"made_up.distance", options.distance}});
-  require_options(stage, options.astray);
 }
 
 void require_options(const char* stage, const MovedCutOptions& options) {

@@ -71,18 +71,24 @@ std::vector<TriangleId> between_old_vertices(std::span<const TriangleId> triangl
   return found;
 }
 
-// LostSurface::large_share. Of most models no triangle is that large.
-double large_share_of(const TriangleMesh& model, const TriangleMesh& updated,
-                      std::span<const TriangleId> new_ones, const SessionUpdate& update,
-                      std::span<const Scan> scans, const AstrayOptions& options) {
+// large_share and made_up. Of most models no triangle is large, and none is new away from the
+// scans.
+void look_where_nothing_was_scanned(const TriangleMesh& model, const TriangleMesh& updated,
+                                    const SessionUpdate& update, std::span<const Scan> scans,
+                                    const AstrayOptions& options, LostSurface& lost) {
+  const std::vector<TriangleId> added = new_triangles(updated, update.change);
   const double large = large_side(scans, options);
-  const std::vector<TriangleId> lost = large_lost(model, update, large);
-  const std::vector<TriangleId> added = large_among(new_ones, updated, large);
-  if (lost.empty() && added.empty()) return 0;
+  const std::vector<TriangleId> large_gone = large_lost(model, update, large);
+  const std::vector<TriangleId> large_added = large_among(added, updated, large);
+  const std::vector<TriangleId> between =
+      between_old_vertices(added, updated, first_vertex_of_clouds(update.change.vertex_map));
+  if (large_gone.empty() && large_added.empty() && between.empty()) return;
   const UnscannedPlaces places(scans, options);
-  const double area = places.area_off(places.of(model, lost), updated) +
-                      places.area_off(places.of(updated, added), model);
-  return area > 0 ? area / TrianglesByArea(model).area() : 0;
+  const double area = places.area_off(places.of(model, large_gone), updated) +
+                      places.area_off(places.of(updated, large_added), model);
+  if (area > 0) lost.large_share = area / TrianglesByArea(model).area();
+  lost.made_up = made_up_surface(model, updated, between, places);
+  lost.spacing = places.spacing();
 }
 
 }  // namespace
@@ -96,13 +102,7 @@ LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vecto
       lost_triangles(model, result.replacement.point_of_vertex, update.change.triangle_map);
   const LostTriangles& found = lost.triangles;
   const std::vector<Scan> scans = scans_of(clouds, result.clouds);
-  const std::vector<TriangleId> added = new_triangles(updated, update.change);
-  lost.large_share = large_share_of(model, updated, added, update, scans, options.astray);
-  lost.made_up = made_up_surface(
-      model, updated,
-      between_old_vertices(added, updated, first_vertex_of_clouds(update.change.vertex_map)), scans,
-      {.astray = options.astray});
-  lost.spacing = largest_spacing(scans);
+  look_where_nothing_was_scanned(model, updated, update, scans, options.astray, lost);
   lost.makes_up = lost.made_up.places > 0 && result.closed_openings.edges == 0;
   if (!(found.lost_area > options.min_coarse_share * found.staying_area)) return lost;
   lost.astray = astray_triangles(model, found.lost, updated, scans, options.astray);

@@ -39,7 +39,7 @@ struct LostSurface {
   // area.
   double large_share = 0;
   MadeUpSurface made_up;  // off the model, between its vertices, where nothing was scanned
-  double spacing = 0;     // of the scans, the largest
+  double spacing = 0;     // if there is any: of the scans, the largest
   bool makes_up = false;  // that is worth a warning: it does not close openings of the model
   std::string tried;      // what became of a trial that was not taken; empty: there was none
 };

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
 #include "geom/angles.h"
-#include "geom/box.h"
-#include "geom/search/box_tree.h"
+#include "geom/search/triangle_tree.h"
 #include "geom/triangle_normal.h"
 
 namespace cocoon::app {
@@ -39,21 +39,12 @@ std::vector<PageView> views_around() {
 // The triangles of a mesh as they hide each other.
 class Hiding {
  public:
-  explicit Hiding(const TriangleMesh& mesh) {
-    std::vector<Box> boxes;
-    boxes.reserve(mesh.triangles.size());
-    for (const TriangleId t : mesh.triangles.ids()) {
-      boxes.push_back(box_of(finite_corners_of(mesh, t)));
-    }
-    tree_ = BoxTree(boxes);
-    corners_.reserve(boxes.size());
-    for (const std::uint32_t t : tree_.items()) corners_.push_back(corners_of(mesh, TriangleId(t)));
-  }
+  explicit Hiding(const TriangleMesh& mesh) : tree_(triangle_tree(mesh)) {}
 
   // Whether a triangle lies before p for who looks from `towards`.
   bool hides(const Point& p, const Vec3& towards, TriangleId but) const {
-    return tree_.any_on_ray(p, towards, [&](std::uint32_t slot) {
-      return tree_.items()[slot] != but.value && is_crossed(corners_[slot], p, towards);
+    return tree_.boxes.any_on_ray(p, towards, [&](std::uint32_t slot) {
+      return tree_.boxes.items()[slot] != but.value && is_crossed(tree_.corners[slot], p, towards);
     });
   }
 
@@ -70,8 +61,7 @@ class Hiding {
     return passes_through && dot(cross(a, b), c) * (ab + bc + ca) > 0;
   }
 
-  BoxTree tree_;
-  std::vector<std::array<Point, 3>> corners_;  // by slot of the tree
+  TriangleTree tree_;
 };
 
 struct Front {

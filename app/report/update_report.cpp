@@ -157,16 +157,17 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   for (const CloudReport& cloud : result.clouds) report.append("update/clouds", cloud_entry(cloud));
   report.set("update/replaced_groups", numbers_of(result.replaced_groups));
   const Replacement& replacement = result.replacement;
-  report.set("update/replaced_points", replacement.vertices.replaced);
-  report.set("update/kept_points", replacement.vertices.kept);
-  report.set("update/border_kept", replacement.vertices.border_kept);
-  report.set("update/border_replaced", replacement.vertices.border_replaced);
-  report.set("update/enclosed_replaced", replacement.vertices.enclosed_replaced);
-  report.set("update/scanned_replaced", replacement.vertices.scanned_replaced);
-  report.set("update/unscanned_kept", replacement.vertices.unscanned_kept);
+  const ReplacedVertices& vertices = replacement.vertices;
+  report.set("update/replaced_points", vertices.replaced);
+  report.set("update/kept_points", vertices.kept);
+  report.set("update/border_kept", vertices.border_kept);
+  report.set("update/border_replaced", vertices.border_replaced);
+  report.set("update/enclosed_replaced", vertices.enclosed_replaced);
+  report.set("update/scanned_replaced", vertices.scanned_replaced);
+  report.set("update/unscanned_kept", vertices.unscanned_kept);
   report.set("update/overlooked", result.overlooked.vertices.size());
-  report.set("update/overlooked_replaced", replacement.vertices.overlooked);
-  report.set("update/unchanged_kept", replacement.vertices.unchanged);
+  report.set("update/overlooked_replaced", vertices.overlooked);
+  report.set("update/unchanged_kept", vertices.unchanged);
   report.set("update/rescanned", result.overlooked.scanned);
   report.set("update/rescanned_kept", result.overlooked.kept);
   report.set("update/unexplained_handles", result.unexplained_handles);
@@ -191,7 +192,7 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/seen_cells", counters.likely_cells);
   report.set("update/contradicted_seen_cells", counters.contradicted_likely);
   report.set("update/heeded_seen_cells", counters.heeded_likely);
-  report.set("update/thinned_points", replacement.vertices.thinned);
+  report.set("update/thinned_points", vertices.thinned);
   report.set("update/duplicate_points", replacement.duplicates);
   report.set("update/updated_points", replacement.points.size());
 }

@@ -1,7 +1,6 @@
 #include "cocone/facets/linked_facets.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <utility>
 

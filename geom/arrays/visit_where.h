@@ -9,9 +9,8 @@
 namespace cocoon {
 
 // Few among many: calls visit(i) for all i < count where test(i) holds, in order. A block in which
-// it holds nowhere
-// costs one branch: with a test that only compares elements of arrays the compiler looks at many of
-// them at once. Complexity: O(count).
+// it holds nowhere costs one branch: with a test that only compares elements of arrays the compiler
+// looks at many of them at once. Complexity: O(count).
 template <class Test, class Visit>
 void visit_where(std::size_t count, const Test& test, const Visit& visit) {
   constexpr std::size_t block = 128;

@@ -1,7 +1,6 @@
 #include "geom/mesh/linked_mesh.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 #include "geom/arrays/sort_by_vertex.h"

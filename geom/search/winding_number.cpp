@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "geom/box.h"
 #include "geom/orient3d.h"
 
 namespace cocoon {
@@ -28,25 +29,18 @@ int crossing(const std::array<Point, 3>& t, const Point& p) {
 
 }  // namespace
 
-WindingNumbers::WindingNumbers(const TriangleMesh& mesh, const Execution& execution) {
-  std::vector<Box> boxes;
-  boxes.reserve(mesh.triangles.size());
-  for (const TriangleId t : mesh.triangles.ids()) {
-    boxes.push_back(box_of(finite_corners_of(mesh, t)));
-    box_.include(boxes.back());
-  }
-  tree_ = BoxTree(boxes, execution);
-  corners_.reserve(boxes.size());
-  for (const std::uint32_t t : tree_.items()) corners_.push_back(corners_of(mesh, TriangleId(t)));
-}
+WindingNumbers::WindingNumbers(const TriangleMesh& mesh, const Execution& execution)
+    : tree_(triangle_tree(mesh, execution)) {}
 
 int WindingNumbers::at(const Point& p) const {
-  if (!contains(box_, p)) return 0;
-  const Box ray{p, {box_.high.x, p.y, p.z}};
+  const Box box = tree_.boxes.box();
+  if (!contains(box, p)) return 0;
+  const Box ray{p, {box.high.x, p.y, p.z}};
   int number = 0;
-  tree_.visit_overlapping(ray, [&](std::uint32_t slot) {
+  tree_.boxes.visit_overlapping(ray, [&](std::uint32_t slot) {
     // Most of those that share a leaf with one that the ray meets are beside it.
-    if (overlap(box_of(corners_[slot]), ray)) number += crossing(corners_[slot], p);
+    const std::array<Point, 3>& corners = tree_.corners[slot];
+    if (overlap(box_of(corners), ray)) number += crossing(corners, p);
   });
   return number;
 }

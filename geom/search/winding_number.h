@@ -1,13 +1,9 @@
 // How often a closed mesh winds around a point, exactly: 0 outside.
 #pragma once
 
-#include <array>
-#include <vector>
-
-#include "geom/box.h"
 #include "geom/execution.h"
 #include "geom/point.h"
-#include "geom/search/box_tree.h"
+#include "geom/search/triangle_tree.h"
 #include "geom/triangle_mesh.h"
 
 namespace cocoon {
@@ -30,9 +26,7 @@ class WindingNumbers {
   int at(const Point& p) const;
 
  private:
-  BoxTree tree_;
-  std::vector<std::array<Point, 3>> corners_;  // by slot of the tree
-  Box box_;                                    // of them all
+  TriangleTree tree_;
 };
 
 }  // namespace cocoon

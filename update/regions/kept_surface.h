@@ -30,7 +30,7 @@ class KeptSurface {
         seen_(std::move(seen)) {}
 
   // As the stages want it told; refers to this object. Undisturbed cells (known_labels.h) are on
-  // the side of the whole model on which they lie.
+  // the side of the whole model on which they lie, unless triangles at a corner tell otherwise.
   OldSurface told() const;
 
   // All of them. Complexity: O(t).

@@ -4,20 +4,19 @@
 #include <vector>
 
 #include "geom/search/closest_facet.h"
-#include "update/report/model_places.h"
 #include "update/stage_options.h"
 
 namespace cocoon {
 
 MadeUpSurface made_up_surface(const TriangleMesh& model, const TriangleMesh& updated,
-                              std::span<const TriangleId> added, std::span<const Scan> scans,
+                              std::span<const TriangleId> added, const UnscannedPlaces& unscanned,
                               const MadeUpOptions& options) {
   require_options("made_up_surface", options);
   MadeUpSurface made_up;
-  const std::vector<ModelPlace> places = UnscannedPlaces(scans, options.astray).of(updated, added);
+  const std::vector<ModelPlace> places = unscanned.of(updated, added);
   if (places.empty()) return made_up;
   const ClosestFacetTree tree(model);
-  const double limit = options.distance * largest_spacing(scans);
+  const double limit = options.distance * unscanned.spacing();
   for (const auto& [at, area] : places) {
     const double distance = std::sqrt(tree.closest(at).squared_distance);
     if (!(distance > limit)) continue;

@@ -7,8 +7,7 @@
 #include "geom/ids.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
-#include "update/cloud/scan.h"
-#include "update/report/lost_triangles.h"
+#include "update/report/model_places.h"
 
 namespace cocoon {
 
@@ -17,8 +16,6 @@ struct MadeUpOptions {
   // largest of several. Other diagonals of four samples, and corners between rows of vertices, are
   // nearer.
   double distance = 1;
-  // `reach`, `coarse_ratio` and `most_parts` are used (UnscannedPlaces).
-  AstrayOptions astray = {};
 };
 
 struct MadeUpSurface {
@@ -32,9 +29,10 @@ struct MadeUpSurface {
 // far from its surface, though no sample is near. Where the change takes vertices away without
 // samples in their place, as in a shadow, that is how it is closed; elsewhere something went wrong.
 // Complexity: O(log n) for each triangle, and O(t log t) if any is where nothing was scanned.
+// `unscanned`: made of the scans.
 // Errors: InputError for options out of range. Source: ours.
 MadeUpSurface made_up_surface(const TriangleMesh& model, const TriangleMesh& updated,
-                              std::span<const TriangleId> added, std::span<const Scan> scans,
+                              std::span<const TriangleId> added, const UnscannedPlaces& unscanned,
                               const MadeUpOptions& options = {});
 
 }  // namespace cocoon

@@ -34,6 +34,8 @@ class UnscannedPlaces {
   std::vector<ModelPlace> of(const TriangleMesh& mesh, std::span<const TriangleId> triangles) const;
   std::vector<ModelPlace> of(const TriangleMesh& mesh) const;  // all of them
 
+  // The largest of the scans.
+  double spacing() const { return spacing_; }
   // A mesh passes at a place if it is no farther than this.
   double reach() const { return options_.most_spacings * spacing_; }
   // Of each place whether the mesh, which has triangles, does not pass there. Complexity: O(log t).

@@ -16,13 +16,13 @@ class RoofOverAPlane : public ::testing::Test {
   RoofOverAPlane() : plane_(testing::grid_plane(20)), updated_(plane_) {}
 
   MadeUpSurface under_roof(double height, const std::vector<Point>& samples,
-                           const MadeUpOptions& options = {}) {
+                           const MadeUpOptions& options = {}, const AstrayOptions& of_places = {}) {
     Triangle roof;
     const std::vector<Point> corners = {{9, 9, height}, {10, 9, height}, {9, 10, height}};
     for (std::size_t i = 0; i < 3; ++i) roof.at(i) = updated_.points.push_back(corners[i]);
     const std::vector<TriangleId> added = {updated_.triangles.push_back(roof)};
     const Scan scans[] = {{samples, 1}};
-    return made_up_surface(plane_, updated_, added, scans, options);
+    return made_up_surface(plane_, updated_, added, UnscannedPlaces(scans, of_places), options);
   }
 
   const std::vector<Point> far_away_ = {{0, 0, 0}};
@@ -46,14 +46,14 @@ TEST_F(RoofOverAPlane, IsNotIfItIsNearTheModelOrASample) {
   EXPECT_EQ(under_roof(2.5, {{9, 9, 4}}).places, 0U);
   AstrayOptions near;
   near.reach = 1;
-  EXPECT_EQ(under_roof(2.5, {{9, 9, 4}}, {.astray = near}).places, 1U);
+  EXPECT_EQ(under_roof(2.5, {{9, 9, 4}}, {}, near).places, 1U);
 }
 
 TEST_F(RoofOverAPlane, OptionsOutOfRangeAreRefused) {
   EXPECT_THROW(under_roof(2.5, far_away_, {.distance = -1}), InputError);
   AstrayOptions wrong;
   wrong.reach = std::nan("");
-  EXPECT_THROW(under_roof(2.5, far_away_, {.astray = wrong}), InputError);
+  EXPECT_THROW(under_roof(2.5, far_away_, {}, wrong), InputError);
 }
 
 }  // namespace
