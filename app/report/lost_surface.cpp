@@ -71,15 +71,17 @@ std::vector<TriangleId> between_old_vertices(std::span<const TriangleId> triangl
   return found;
 }
 
-// large_share and made_up. Of most models no triangle is large, and none is new away from the
-// scans.
+// large_share, made_up and makes_up. Of most models no triangle is large, and none is new away from
+// the scans.
 void look_where_nothing_was_scanned(const TriangleMesh& model, const TriangleMesh& updated,
                                     const SessionUpdate& update, std::span<const Scan> scans,
                                     const AstrayOptions& options, LostSurface& lost) {
   const std::vector<TriangleId> added = new_triangles(updated, update.change);
   const double large = large_side(scans, options);
   const std::vector<TriangleId> large_gone = large_lost(model, update, large);
-  const std::vector<TriangleId> large_added = large_among(added, updated, large);
+  const bool closes_openings = update.result.closed_openings.edges > 0;
+  const std::vector<TriangleId> large_added =
+      closes_openings ? std::vector<TriangleId>{} : large_among(added, updated, large);
   const std::vector<TriangleId> between =
       between_old_vertices(added, updated, first_vertex_of_clouds(update.change.vertex_map));
   if (large_gone.empty() && large_added.empty() && between.empty()) return;
@@ -89,6 +91,7 @@ void look_where_nothing_was_scanned(const TriangleMesh& model, const TriangleMes
   if (area > 0) lost.large_share = area / TrianglesByArea(model).area();
   lost.made_up = made_up_surface(model, updated, between, places);
   lost.spacing = places.spacing();
+  lost.makes_up = lost.made_up.places > 0 && !closes_openings;
 }
 
 }  // namespace
@@ -103,7 +106,6 @@ LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vecto
   const LostTriangles& found = lost.triangles;
   const std::vector<Scan> scans = scans_of(clouds, result.clouds);
   look_where_nothing_was_scanned(model, updated, update, scans, options.astray, lost);
-  lost.makes_up = lost.made_up.places > 0 && result.closed_openings.edges == 0;
   if (!(found.lost_area > options.min_coarse_share * found.staying_area)) return lost;
   lost.astray = astray_triangles(model, found.lost, updated, scans, options.astray);
   lost.share = lost.astray.area / found.staying_area;

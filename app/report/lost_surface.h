@@ -35,8 +35,8 @@ struct LostSurface {
   bool is_coarse = false;       // the astray triangles are too large for each of the scans
   // What large triangles (large_side), but for those of replaced regions, have lost where nothing
   // was scanned, whether or not the change has taken their vertices: what it has taken of them may
-  // be little. And what large new ones have made up there, off the model. As a share of the model's
-  // area.
+  // be little. And what large new ones have made up there, off the model, unless the update closes
+  // openings of the model, which takes such triangles. As a share of the model's area.
   double large_share = 0;
   MadeUpSurface made_up;  // off the model, between its vertices, where nothing was scanned
   double spacing = 0;     // if there is any: of the scans, the largest

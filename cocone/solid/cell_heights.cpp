@@ -9,11 +9,6 @@
 namespace cocoon {
 namespace {
 
-Point centroid(const Triangulation& triangulation, CellId c) {
-  const auto [p0, p1, p2, p3] = sorted_corners(triangulation, c);
-  return 0.25 * ((p0 + p1) + (p2 + p3));
-}
-
 // Both ends, in one word.
 using Edge = std::uint64_t;
 VertexId from(Edge edge) { return VertexId(static_cast<std::uint32_t>(edge >> 32)); }
@@ -103,13 +98,18 @@ void add_edges(const Triangulation& triangulation, std::span<const CellId> cells
 
 }  // namespace
 
+Point centroid_of(const Triangulation& triangulation, CellId c) {
+  const auto [p0, p1, p2, p3] = sorted_corners(triangulation, c);
+  return 0.25 * ((p0 + p1) + (p2 + p3));
+}
+
 std::vector<CellHeights> cell_heights(const Triangulation& triangulation,
                                       std::span<const CellId> cells, const SolidDistances& solid,
                                       CellPlaces places, const IsSettled& is_settled,
                                       const Execution& execution) {
   std::vector<Point> centroids;
   centroids.reserve(cells.size());
-  for (const CellId c : cells) centroids.push_back(centroid(triangulation, c));
+  for (const CellId c : cells) centroids.push_back(centroid_of(triangulation, c));
   const std::vector<double> distances = solid.at(centroids, execution);
 
   std::vector<CellHeights> heights(cells.size());

@@ -51,6 +51,9 @@ struct CentroidHeight {
 // Whether the centroid tells all that is asked of a cell.
 using IsSettled = std::function<bool(const CentroidHeight&)>;
 
+// The mean of the corners, with the same bits in every order of them. Precondition: finite.
+Point centroid_of(const Triangulation& triangulation, CellId c);
+
 // Of each of these finite cells, at these places; of cells that are settled, at the centroid alone,
 // which halves the time where the question is on which side cells lie. `is_settled` may be empty,
 // and is called by the calling thread. `solid` is in the coordinates of the triangulation's

@@ -38,8 +38,8 @@ KnownLabels labels_of_solid(const Triangulation& triangulation, const SolidDista
                             const LabelsOfSolidOptions& options = {},
                             const Execution& execution = {});
 
-// The same for `cells` only, beside what is known of others. What is known of these cells already is
-// kept, but forgotten where the solid tells otherwise.
+// The same for `cells` only, beside what is known of others. What is known of these cells already
+// is kept, but forgotten where the solid tells otherwise.
 void add_labels_of_solid(const Triangulation& triangulation, const SolidDistances& solid,
                          std::span<const CellId> cells, KnownLabels& known,
                          const LabelsOfSolidOptions& options = {}, const Execution& execution = {});

@@ -86,8 +86,11 @@ TEST(LostSurface, TellsOfSurfaceThatIsMadeUp) {
   EXPECT_LT(lost.made_up.distance, 10 / 3.0 + 0.1);
   EXPECT_NE(warning_of_made_up_surface(lost, "box").find(" times the spacing) off its surface"),
             std::string::npos);
+  // What closes an opening has to be off the model, and large where the opening is.
   box.update.result.closed_openings.edges = 3;
-  EXPECT_FALSE(lost_surface(box.model, box.clouds, box.update, box.updated).makes_up);
+  const LostSurface closed = lost_surface(box.model, box.clouds, box.update, box.updated);
+  EXPECT_FALSE(closed.makes_up);
+  EXPECT_LT(closed.large_share, lost.large_share);
 }
 
 TEST(LostSurface, IsNoneWhereAllIsKept) {

@@ -1,5 +1,6 @@
 #include "cocone/solid/labels_of_solid.h"
 
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
@@ -59,6 +60,39 @@ TEST(LabelsOfSolid, TellTheSideAwayFromTheSurface) {
   EXPECT_GT(deep, 0U);
   EXPECT_LT(deep, known.cells);
   EXPECT_EQ(labels_of_solid(triangulation, solid, {.min_depth = 1}).cells, 0U);
+}
+
+// Cells of which the same is known are left alone without a look at how deep they are: so are those
+// of which the same would be told, and slivers.
+TEST(LabelsOfSolid, AddedToWhatIsKnownAreForgottenWhereTheTwoDisagree) {
+  const TriangleMesh solid = plate(1);
+  const Triangulation triangulation = delaunay(samples_of(solid, 0.5)).triangulation;
+  constexpr std::array<CellLabel, 3> labels = {CellLabel::unmarked, CellLabel::in, CellLabel::out};
+  for (const CellPlaces places : {CellPlaces::centroid, CellPlaces::centroid_and_edges}) {
+    const LabelsOfSolidOptions options = {places, 0.05};
+    const KnownLabels told = labels_of_solid(triangulation, solid, options);
+    KnownLabels known;
+    known.labels = IdVector<CellId, CellLabel>(triangulation.num_cells(), CellLabel::unmarked);
+    std::vector<CellId> cells;
+    for (const CellId c : triangulation.finite_cells()) {
+      known.labels[c] = labels[c.index() % 3];
+      if (known.labels[c] != CellLabel::unmarked) ++known.cells;
+      if (c.index() % 4 != 0) cells.push_back(c);
+    }
+    const IdVector<CellId, CellLabel> before = known.labels;
+    add_labels_of_solid(triangulation, solid, cells, known, options);
+    std::size_t count = 0;
+    for (const CellId c : triangulation.finite_cells()) {
+      CellLabel expected = before[c];
+      if (c.index() % 4 != 0 && told.labels[c] != CellLabel::unmarked &&
+          told.labels[c] != before[c]) {
+        expected = before[c] == CellLabel::unmarked ? told.labels[c] : CellLabel::unmarked;
+      }
+      EXPECT_EQ(known.labels[c], expected) << c.value;
+      count += known.labels[c] == CellLabel::unmarked ? 0U : 1U;
+    }
+    EXPECT_EQ(known.cells, count);
+  }
 }
 
 TEST(LabelsOfSolid, OfAnOpenMeshNothingIsKnown) {
