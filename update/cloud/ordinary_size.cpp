@@ -8,6 +8,7 @@
 #include "delaunay/require_points.h"
 #include "geom/errors.h"
 #include "geom/point.h"
+#include "geom/working_scale.h"
 
 namespace cocoon {
 namespace {
@@ -19,9 +20,10 @@ bool has_ordinary_size(Points points) {
   return largest == 0 || !std::isfinite(largest) || (largest >= 0x1p-200 && largest <= 0x1p+200);
 }
 
-void require_finite_cloud(Points cloud, const std::string& name) {
+void require_triangulable_cloud(Points cloud, const std::string& name) {
   try {
     require_finite(cloud);
+    require_comparable_sizes(cloud);
   } catch (const InputError& error) {
     throw InputError(name + ": " + error.what());
   }
@@ -35,7 +37,7 @@ void require_ordinary_size(Points model, std::span<const std::vector<Point>> clo
   for (std::size_t c = 0; c < clouds.size(); ++c) {
     const std::string name =
         "cloud " + std::to_string(c + 1) + " of " + std::to_string(clouds.size());
-    require_finite_cloud(clouds[c], name);
+    require_triangulable_cloud(clouds[c], name);
     if (too_far.empty() && !has_ordinary_size(clouds[c])) too_far = name;
   }
   if (too_far.empty()) return;

@@ -40,5 +40,12 @@ TEST(OrdinarySize, IsThatOfFiniteCloudsOnly) {
   EXPECT_EQ(message_of({}, {{{0, 0, -infinity}}}).find("cloud 1 of 1: point 0 "), 0U);
 }
 
+TEST(OrdinarySize, IsThatOfMostPointsOfACloud) {
+  EXPECT_EQ(message_of({}, {{{1, 1, 1}, {0, 1e-250, 0}}}), "");
+  EXPECT_EQ(
+      message_of({}, {{{1e-250, 0, 0}, {0, 1e-250, 0}, {1, 1, 1}}}).find("cloud 1 of 1: point 2 "),
+      0U);
+}
+
 }  // namespace
 }  // namespace cocoon
