@@ -13,9 +13,9 @@
 #include "geom/mesh/triangles_by_area.h"
 #include "geom/search/closest_facet.h"
 #include "geom/search/neighbor_distance.h"
+#include "update/checks/lost_triangles.h"
+#include "update/checks/model_places.h"
 #include "update/report/cloud_report.h"
-#include "update/report/lost_triangles.h"
-#include "update/report/model_places.h"
 
 namespace cocoon::app {
 

@@ -5,9 +5,9 @@
 
 #include "cocone/inputs/stage_inputs.h"
 #include "geom/messages/require_number.h"
+#include "update/checks/lost_triangles.h"
+#include "update/checks/made_up_surface.h"
 #include "update/model/orient_outward.h"
-#include "update/report/lost_triangles.h"
-#include "update/report/made_up_surface.h"
 #include "update/stray_samples.h"
 #include "update/update_model.h"
 

@@ -8,9 +8,9 @@
 #include "geom/mesh/triangles_by_area.h"
 #include "geom/messages/counted.h"
 #include "geom/messages/place_name.h"
+#include "update/checks/model_places.h"
+#include "update/checks/updated_vertices.h"
 #include "update/report/cloud_report.h"
-#include "update/report/model_places.h"
-#include "update/report/updated_vertices.h"
 
 namespace cocoon::app {
 

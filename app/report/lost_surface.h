@@ -9,8 +9,8 @@
 #include "app/json_report.h"
 #include "geom/point.h"
 #include "geom/triangle_mesh.h"
-#include "update/report/lost_triangles.h"
-#include "update/report/made_up_surface.h"
+#include "update/checks/lost_triangles.h"
+#include "update/checks/made_up_surface.h"
 #include "update/update_model.h"
 #include "update/update_session.h"
 

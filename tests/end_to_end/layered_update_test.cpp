@@ -12,7 +12,7 @@
 #include "tests/run_program.h"
 #include "tests/temporary_folder.h"
 #include "tests/test_clouds.h"
-#include "update/report/crowded_samples.h"
+#include "update/checks/crowded_samples.h"
 
 namespace cocoon::test {
 namespace {

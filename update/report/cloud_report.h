@@ -9,6 +9,8 @@
 
 #include "geom/ids.h"
 #include "geom/point.h"
+#include "update/checks/contradicted_samples.h"
+#include "update/checks/rim_shift.h"
 #include "update/choose_regions.h"
 #include "update/cloud/scan.h"
 #include "update/cloud_surface.h"
@@ -16,8 +18,6 @@
 #include "update/joined_clouds.h"
 #include "update/overlapping_facets.h"
 #include "update/regions/loop_sides.h"
-#include "update/report/contradicted_samples.h"
-#include "update/report/rim_shift.h"
 #include "update/trace_border.h"
 
 namespace cocoon {

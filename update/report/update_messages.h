@@ -8,18 +8,18 @@
 #include <string_view>
 #include <vector>
 
+#include "update/checks/closed_openings.h"
+#include "update/checks/contradicted_samples.h"
+#include "update/checks/crowded_samples.h"
+#include "update/checks/loose_parts.h"
+#include "update/checks/overlooked_vertices.h"
+#include "update/checks/rim_shift.h"
+#include "update/checks/unscanned_losses.h"
+#include "update/checks/unused_changes.h"
 #include "update/cloud_surface.h"
 #include "update/cut_regions.h"
 #include "update/overlapping_facets.h"
-#include "update/report/closed_openings.h"
 #include "update/report/cloud_report.h"
-#include "update/report/contradicted_samples.h"
-#include "update/report/crowded_samples.h"
-#include "update/report/loose_parts.h"
-#include "update/report/overlooked_vertices.h"
-#include "update/report/rim_shift.h"
-#include "update/report/unscanned_losses.h"
-#include "update/report/unused_changes.h"
 
 namespace cocoon {
 

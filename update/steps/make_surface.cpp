@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "geom/working_scale.h"
+#include "update/checks/crowded_samples.h"
+#include "update/checks/loose_parts.h"
+#include "update/checks/patch_handles.h"
+#include "update/checks/unexplained_handles.h"
+#include "update/checks/updated_vertices.h"
 #include "update/disproved_facets.h"
 #include "update/model/euler_number.h"
 #include "update/regions/kept_surface.h"
-#include "update/report/crowded_samples.h"
-#include "update/report/loose_parts.h"
-#include "update/report/patch_handles.h"
-#include "update/report/unexplained_handles.h"
 #include "update/report/update_messages.h"
-#include "update/report/updated_vertices.h"
 
 namespace cocoon {
 

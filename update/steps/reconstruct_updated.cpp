@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "update/checks/overlooked_vertices.h"
 #include "update/regions/scanned_again.h"
 #include "update/regions/unchanged_rest.h"
-#include "update/report/overlooked_vertices.h"
 #include "update/steps/make_surface.h"
 #include "update/steps/result_doubts.h"
 

@@ -5,14 +5,14 @@
 #include <cstdint>
 #include <utility>
 
-#include "update/report/closed_openings.h"
-#include "update/report/contradicted_samples.h"
-#include "update/report/loose_parts.h"
-#include "update/report/samples_with_flag.h"
-#include "update/report/unscanned_losses.h"
-#include "update/report/unused_changes.h"
+#include "update/checks/closed_openings.h"
+#include "update/checks/contradicted_samples.h"
+#include "update/checks/loose_parts.h"
+#include "update/checks/samples_with_flag.h"
+#include "update/checks/unscanned_losses.h"
+#include "update/checks/unused_changes.h"
+#include "update/checks/updated_vertices.h"
 #include "update/report/update_messages.h"
-#include "update/report/updated_vertices.h"
 
 namespace cocoon {
 namespace {
