@@ -20,7 +20,7 @@
 #include "app/files/files.h"
 #include "app/files/pending_clouds.h"
 #include "app/report/findings.h"
-#include "app/report/lost_surface.h"
+#include "app/report/lost_surface_report.h"
 #include "app/report/update_findings.h"
 #include "app/report/update_report.h"
 #include "app/shapes/cloud_filter.h"
@@ -311,10 +311,12 @@ class Watch {
   // A mesh that is no dense sampling of its surface loses some with its first update.
   void add_lost_surface_warnings(const TriangleMesh& model, const DroppedClouds& drop,
                                  const std::string& tried, SessionUpdate& update) const {
-    LostSurface lost = lost_surface(model, drop.clouds, update, session_.model());
-    lost.tried = tried;
+    const std::vector<Scan> scans = scans_of(drop.clouds, update.result.clouds);
+    const LostSurface lost =
+        lost_surface(model, scans, update.result, update.change, session_.model());
     std::vector<std::string>& warnings = update.result.warnings;
-    if (lost.warns) warnings.push_back(warning_of_lost_surface(lost, arguments_.model, model));
+    if (lost.warns)
+      warnings.push_back(warning_of_lost_surface(lost, tried, arguments_.model, model));
     if (lost.makes_up) warnings.push_back(warning_of_made_up_surface(lost, arguments_.model));
   }
 

@@ -6,7 +6,7 @@
 #include "app/arguments/update_options.h"
 #include "app/files/carried_properties.h"
 #include "app/report/html_report.h"
-#include "app/report/lost_surface.h"
+#include "app/report/lost_surface_report.h"
 #include "app/report/surface_report.h"
 #include "app/report/update_findings.h"
 #include "app/report/update_report.h"
@@ -146,7 +146,8 @@ UpdateOutcome updated(Job& job, const UpdateInput& input, const UpdateOptions& o
   if (session != nullptr) add_surface_of(*session, result);
   timed(job.execution(), "check", [&] {
     if (session == nullptr) change = mesh_change(input.model, result.mesh, result.vertex_map);
-    outcome.lost = lost_surface(input.model, input.clouds, outcome.update, result.mesh);
+    const std::vector<Scan> scans = scans_of(input.clouds, result.clouds);
+    outcome.lost = lost_surface(input.model, scans, result, change, result.mesh);
   });
   return outcome;
 }
@@ -162,7 +163,8 @@ void write_update(Job& job, const UpdateInput& input, UpdateOutcome outcome,
   }
   add_lost_surface(job.report(), outcome.lost);
   if (outcome.lost.warns) {
-    result.warnings.push_back(warning_of_lost_surface(outcome.lost, input.model_name, input.model));
+    result.warnings.push_back(
+        warning_of_lost_surface(outcome.lost, outcome.tried, input.model_name, input.model));
   }
   if (outcome.lost.makes_up) {
     result.warnings.push_back(warning_of_made_up_surface(outcome.lost, input.model_name));

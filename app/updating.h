@@ -4,9 +4,9 @@
 #include <string>
 
 #include "app/job.h"
-#include "app/report/lost_surface.h"
 #include "app/update_input.h"
 #include "io/mesh_file_options.h"
+#include "update/checks/lost_surface.h"
 #include "update/update_model.h"
 #include "update/update_session.h"
 
@@ -15,7 +15,9 @@ namespace cocoon::app {
 // What came out, and what was lost of the model.
 struct UpdateOutcome {
   SessionUpdate update;
-  LostSurface lost;  // if it is ok
+  LostSurface lost;   // if it is ok
+  std::string tried;  // what became of a trial to make the model dense (coarse_model.h) that was
+                      // not taken; empty: there was none
 };
 
 // What to write; empty: not wanted.

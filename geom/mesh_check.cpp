@@ -1,8 +1,6 @@
 #include "geom/mesh_check.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -13,36 +11,10 @@
 #include "geom/mesh/linked_mesh.h"
 #include "geom/orient3d.h"
 #include "geom/parallel/parallel_list.h"
-#include "geom/search/point_hash.h"
+#include "geom/search/equal_points.h"
 
 namespace cocoon {
 namespace {
-
-// How many of the points are different from all before them, by an open hash table.
-std::size_t count_distinct(std::span<const Point> points) {
-  std::vector<std::uint32_t> table(std::bit_ceil(2 * points.size() + 1), 0);  // place + 1
-  // Slots lie anywhere in memory: those of a block of points are asked for in advance.
-  constexpr std::size_t points_per_block = 32;
-  std::array<std::size_t, points_per_block> slots;
-  std::size_t distinct = 0;
-  for (std::size_t first = 0; first < points.size(); first += points_per_block) {
-    const std::size_t end = std::min(first + points_per_block, points.size());
-    for (std::size_t k = first; k < end; ++k) {
-      slots[k - first] = point_hash(points[k]) & (table.size() - 1);
-      __builtin_prefetch(&table[slots[k - first]]);
-    }
-    for (std::size_t k = first; k < end; ++k) {
-      std::size_t slot = slots[k - first];
-      while (table[slot] != 0 && points[table[slot] - 1] != points[k]) {
-        slot = (slot + 1) & (table.size() - 1);
-      }
-      if (table[slot] != 0) continue;
-      table[slot] = static_cast<std::uint32_t>(k + 1);
-      ++distinct;
-    }
-  }
-  return distinct;
-}
 
 constexpr std::size_t triangles_per_chunk = 4096;
 constexpr std::size_t vertices_per_chunk = 2048;
@@ -105,7 +77,7 @@ class Checker {
     report_.non_finite_vertices = non_finite.size();
     report_.examples.non_finite_vertices = examples(std::move(non_finite));
     points = points.first(points.size() - report_.non_finite_vertices);  // they come last
-    report_.coincident_vertices = points.size() - count_distinct(points);
+    report_.coincident_vertices = repeated_points(points).size();
 
     IdVector<VertexId, char> used(mesh_.points.size(), 0);
     for (const VertexId v : mesh_.points.ids()) used[v] = mesh_.corners_at(v).empty() ? 0 : 1;

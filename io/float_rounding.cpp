@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geom/arrays/median.h"
-#include "io/polygons/weld_points.h"
+#include "geom/search/point_welder.h"
 
 namespace cocoon {
 

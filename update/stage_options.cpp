@@ -5,6 +5,8 @@
 
 #include "cocone/inputs/stage_inputs.h"
 #include "geom/messages/require_number.h"
+#include "update/checks/dense_trial.h"
+#include "update/checks/lost_surface.h"
 #include "update/checks/lost_triangles.h"
 #include "update/checks/made_up_surface.h"
 #include "update/model/orient_outward.h"
@@ -94,6 +96,12 @@ void require_options(const char* stage, const UnconfirmedOptions& options) {
                           {"cut.moved.unconfirmed.near", options.near}});
 }
 
+void require_options(const char* stage, const LostSurfaceOptions& options) {
+  require_shares(stage, {{"lost.min_area_share", options.min_area_share},
+                         {"lost.min_coarse_share", options.min_coarse_share}});
+  require_options(stage, options.astray);
+}
+
 void require_options(const char* stage, const MadeUpOptions& options) {
   require_amounts(stage, {{"made_up.distance", options.distance}});
 }
@@ -106,6 +114,17 @@ void require_options(const char* stage, const MovedCutOptions& options) {
 
 void require_options(const char* stage, const SightOptions& options) {
   require_amounts(stage, {{"sight.clearance", options.clearance}, {"sight.step", options.step}});
+}
+
+void require_options(const char* stage, const DenseTrialOptions& options) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  require_shares(stage,
+                 {{"dense_trial.min_large_share", options.min_large_share},
+                  {"dense_trial.min_large_share_if_refused", options.min_large_share_if_refused}});
+  require_amounts(stage, {{"dense_trial.neighbor_share", options.neighbor_share}});
+  require_number(stage, "dense_trial.most_samples", options.most_samples, 1, infinity);
+  require_number(stage, "dense_trial.max_given_up", options.max_given_up, -1, infinity);
+  require_options(stage, options.lost);
 }
 
 void require_options(const char* stage, const DisprovedOptions& options) {

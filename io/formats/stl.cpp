@@ -4,12 +4,12 @@
 #include <string>
 #include <string_view>
 
+#include "geom/search/point_welder.h"
 #include "io/encoding/byte_order.h"
 #include "io/encoding/number_text.h"
 #include "io/encoding/point_text.h"
 #include "io/encoding/single_precision.h"
 #include "io/encoding/text_lines.h"
-#include "io/polygons/weld_points.h"
 
 namespace cocoon {
 

@@ -1,8 +1,7 @@
-// The geometric steps between a file and a mesh: cutting polygons, welding corners; and the small
+// The geometric step between a file and a mesh, cutting polygons; and the small
 // writers: polylines, base64.
 #include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
 #include <map>
 #include <random>
 #include <vector>
@@ -11,7 +10,6 @@
 #include "io/encoding/base64.h"
 #include "io/mesh_file.h"
 #include "io/polygons/triangulate_polygon.h"
-#include "io/polygons/weld_points.h"
 #include "io/polyline_file.h"
 #include "tests/temporary_folder.h"
 
@@ -102,40 +100,6 @@ TEST(TriangulatePolygon, AlwaysKeepsTheBoundary) {
     }
     EXPECT_EQ(border_of(triangles), polygon) << "trial " << trial;
   }
-}
-
-TEST(PointWelder, FindsEqualPointsAndKeepsTheFirst) {
-  std::vector<Point> points;
-  PointWelder welder(points);
-  EXPECT_EQ(welder.add({0.0, 1, 2}), 0U);
-  EXPECT_EQ(welder.add({-0.0, 1, 2}), 0U);
-  EXPECT_EQ(welder.add({5e-324, 1, 2}), 1U);
-  EXPECT_FALSE(std::signbit(points[0].x));
-  std::mt19937 random(3);
-  std::map<Point, std::size_t> known = {{points[0], 0}, {points[1], 1}};
-  for (int i = 0; i < 20000; ++i) {
-    const Point p = {static_cast<double>(random() % 20), static_cast<double>(random() % 20),
-                     static_cast<double>(random() % 20)};
-    const std::size_t expected = known.emplace(p, known.size()).first->second;
-    ASSERT_EQ(welder.add(p), expected);
-  }
-  EXPECT_EQ(points.size(), known.size());
-}
-
-// A table in which all of these meet at one place takes minutes.
-TEST(PointWelder, PointsThatAreNotFiniteEqualNone) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Point> points;
-  PointWelder welder(points);
-  const std::size_t count = 300'000;
-  for (std::size_t i = 0; i < count; i += 3) {
-    ASSERT_EQ(welder.add({nan, nan, nan}), i);
-    ASSERT_EQ(welder.add({infinity, 0, 0}), i + 1);
-    ASSERT_EQ(welder.add({static_cast<double>(i), 0, 0}), i + 2);
-  }
-  EXPECT_EQ(welder.add({3, 0, 0}), 5U);
-  EXPECT_EQ(points.size(), count);
 }
 
 TEST(PolylineFile, LoopsAreClosedAndOnlyTheirPointsAreWritten) {

@@ -10,6 +10,8 @@
 #include "tests/mesh_gallery.h"
 #include "update/checks/closed_openings.h"
 #include "update/checks/contradicted_samples.h"
+#include "update/checks/dense_trial.h"
+#include "update/checks/lost_surface.h"
 #include "update/checks/lost_triangles.h"
 #include "update/checks/overlooked_vertices.h"
 #include "update/checks/rim_shift.h"
@@ -138,6 +140,9 @@ TEST(StageOptions, StagesCalledAloneRefuseThemToo) {
   expect_refused("unscanned_losses",
                  [&] { unscanned_losses(model, {}, scans, {}, false, {.reach = nan}); });
   expect_refused("contradicted_samples", [&] { contradicted_samples({}, {}, {.reach = nan}); });
+  expect_refused("dense_spacing", [&] { dense_spacing(mesh, {}, {.neighbor_share = nan}); });
+  expect_refused("lost_surface",
+                 [&] { lost_surface(mesh, scans, {}, {}, mesh, {.min_area_share = 2}); });
   expect_refused("astray_triangles",
                  [&] { astray_triangles(mesh, {}, mesh, scans, {.tolerance = nan}); });
 }

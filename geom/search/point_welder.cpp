@@ -1,4 +1,4 @@
-#include "io/polygons/weld_points.h"
+#include "geom/search/point_welder.h"
 
 #include "geom/search/point_hash.h"
 
@@ -7,15 +7,19 @@ namespace cocoon {
 std::size_t PointWelder::slot_of(const Point& point) const {
   const std::size_t mask = table_.size() - 1;
   std::size_t slot = point_hash(point) & mask;
-  while (table_[slot] != empty && points_[table_[slot]] != point) slot = (slot + 1) & mask;
+  while (table_[slot] != none && points_[table_[slot]] != point) slot = (slot + 1) & mask;
   return slot;
 }
 
 void PointWelder::grow() {
-  table_.assign(2 * table_.size(), empty);
+  table_.assign(2 * table_.size(), none);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (is_finite(points_[i])) table_[slot_of(points_[i])] = i;
   }
+}
+
+std::size_t PointWelder::find(const Point& point) const {
+  return is_finite(point) ? table_[slot_of(point)] : none;
 }
 
 std::size_t PointWelder::add(const Point& point) {
@@ -24,7 +28,7 @@ std::size_t PointWelder::add(const Point& point) {
     return points_.size() - 1;
   }
   std::size_t slot = slot_of(point);
-  if (table_[slot] != empty) return table_[slot];
+  if (table_[slot] != none) return table_[slot];
   if (2 * (points_.size() + 1) > table_.size()) {
     grow();
     slot = slot_of(point);

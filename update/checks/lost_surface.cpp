@@ -1,18 +1,15 @@
-#include "app/report/lost_surface.h"
+#include "update/checks/lost_surface.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <fmt/format.h>
 #include <span>
 
 #include "geom/mesh/triangles_by_area.h"
-#include "geom/messages/counted.h"
-#include "geom/messages/place_name.h"
 #include "update/checks/model_places.h"
 #include "update/checks/updated_vertices.h"
-#include "update/report/cloud_report.h"
+#include "update/stage_options.h"
 
-namespace cocoon::app {
+namespace cocoon {
 
 namespace {
 
@@ -24,12 +21,12 @@ bool is_replaced(const UpdateResult& result, TriangleId t) {
   return std::find(groups.begin(), groups.end(), region) != groups.end();
 }
 
-std::vector<TriangleId> large_lost(const TriangleMesh& model, const SessionUpdate& update,
-                                   double large) {
+std::vector<TriangleId> large_lost(const TriangleMesh& model, const UpdateResult& result,
+                                   const MeshChange& change, double large) {
   std::vector<TriangleId> lost;
   for (const TriangleId t : model.triangles.ids()) {
-    const bool has_gone = update.change.triangle_map[t].is_none();
-    if (has_gone && longest_edge(model, t) > large && !is_replaced(update.result, t)) {
+    const bool has_gone = change.triangle_map[t].is_none();
+    if (has_gone && longest_edge(model, t) > large && !is_replaced(result, t)) {
       lost.push_back(t);
     }
   }
@@ -74,16 +71,17 @@ std::vector<TriangleId> between_old_vertices(std::span<const TriangleId> triangl
 // large_share, made_up and makes_up. Of most models no triangle is large, and none is new away from
 // the scans.
 void look_where_nothing_was_scanned(const TriangleMesh& model, const TriangleMesh& updated,
-                                    const SessionUpdate& update, std::span<const Scan> scans,
-                                    const AstrayOptions& options, LostSurface& lost) {
-  const std::vector<TriangleId> added = new_triangles(updated, update.change);
+                                    const UpdateResult& result, const MeshChange& change,
+                                    std::span<const Scan> scans, const AstrayOptions& options,
+                                    LostSurface& lost) {
+  const std::vector<TriangleId> added = new_triangles(updated, change);
   const double large = large_side(scans, options);
-  const std::vector<TriangleId> large_gone = large_lost(model, update, large);
-  const bool closes_openings = update.result.closed_openings.edges > 0;
+  const std::vector<TriangleId> large_gone = large_lost(model, result, change, large);
+  const bool closes_openings = result.closed_openings.edges > 0;
   const std::vector<TriangleId> large_added =
       closes_openings ? std::vector<TriangleId>{} : large_among(added, updated, large);
   const std::vector<TriangleId> between =
-      between_old_vertices(added, updated, first_vertex_of_clouds(update.change.vertex_map));
+      between_old_vertices(added, updated, first_vertex_of_clouds(change.vertex_map));
   if (large_gone.empty() && large_added.empty() && between.empty()) return;
   const UnscannedPlaces places(scans, options);
   const double area = places.area_off(places.of(model, large_gone), updated) +
@@ -96,16 +94,14 @@ void look_where_nothing_was_scanned(const TriangleMesh& model, const TriangleMes
 
 }  // namespace
 
-LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vector<Point>>& clouds,
-                         const SessionUpdate& update, const TriangleMesh& updated,
-                         const LostSurfaceOptions& options) {
-  const UpdateResult& result = update.result;
+LostSurface lost_surface(const TriangleMesh& model, std::span<const Scan> scans,
+                         const UpdateResult& result, const MeshChange& change,
+                         const TriangleMesh& updated, const LostSurfaceOptions& options) {
+  require_options("lost_surface", options);
   LostSurface lost;
-  lost.triangles =
-      lost_triangles(model, result.replacement.point_of_vertex, update.change.triangle_map);
+  lost.triangles = lost_triangles(model, result.replacement.point_of_vertex, change.triangle_map);
   const LostTriangles& found = lost.triangles;
-  const std::vector<Scan> scans = scans_of(clouds, result.clouds);
-  look_where_nothing_was_scanned(model, updated, update, scans, options.astray, lost);
+  look_where_nothing_was_scanned(model, updated, result, change, scans, options.astray, lost);
   if (!(found.lost_area > options.min_coarse_share * found.staying_area)) return lost;
   lost.astray = astray_triangles(model, found.lost, updated, scans, options.astray);
   lost.share = lost.astray.area / found.staying_area;
@@ -115,39 +111,4 @@ LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vecto
   return lost;
 }
 
-void add_lost_surface(JsonReport& report, const LostSurface& lost) {
-  report.set("update/staying_triangles", lost.triangles.staying);
-  report.set("update/lost_triangles", lost.triangles.lost.size());
-  if (lost.share) report.set("update/astray_area_share", *lost.share);
-  report.set("update/made_up_places", lost.made_up.places);
-  if (lost.made_up.places > 0) report.set("update/made_up_distance", lost.made_up.distance);
-}
-
-std::string warning_of_lost_surface(const LostSurface& lost, const std::string& model_name,
-                                    const TriangleMesh& model) {
-  const std::string warning =
-      fmt::format("{:.0f} % of the surface of {} is not kept though nothing was scanned there",
-                  100 * *lost.share, model_name);
-  if (!lost.tried.empty()) {
-    return warning + ": its triangles are large, and " + lost.tried + "; look at the result";
-  }
-  if (lost.is_coarse) {
-    return warning +
-           ": its triangles are too large; make it dense first (--densify SPACING, about that of "
-           "the scans)";
-  }
-  const Triangle& corners = model.triangles[lost.astray.largest];
-  return warning + fmt::format(" ({}, as at {}); look at the result",
-                               counted(lost.astray.count, "triangle"),
-                               place_name(model.points[corners[0]]));
-}
-
-std::string warning_of_made_up_surface(const LostSurface& lost, const std::string& model_name) {
-  const MadeUpSurface& made_up = lost.made_up;
-  return fmt::format(
-      "the new surface joins vertices of {} where nothing was scanned, up to {:.3g} ({:.1f} times "
-      "the spacing) off its surface, as at {}; look at the result",
-      model_name, made_up.distance, made_up.distance / lost.spacing, place_name(made_up.farthest));
-}
-
-}  // namespace cocoon::app
+}  // namespace cocoon

@@ -1,20 +1,16 @@
-// Surface of the model that an update loses though nothing was scanned there, for people.
+// Surface of the model that an update loses, or makes up, though nothing was scanned there.
 #pragma once
 
-#include <cstddef>
 #include <optional>
-#include <string>
-#include <vector>
+#include <span>
 
-#include "app/json_report.h"
-#include "geom/point.h"
 #include "geom/triangle_mesh.h"
 #include "update/checks/lost_triangles.h"
 #include "update/checks/made_up_surface.h"
+#include "update/model/mesh_change.h"
 #include "update/update_model.h"
-#include "update/update_session.h"
 
-namespace cocoon::app {
+namespace cocoon {
 
 struct LostSurfaceOptions {
   // Worth a warning from this share of the area that stays on.
@@ -41,24 +37,15 @@ struct LostSurface {
   MadeUpSurface made_up;  // off the model, between its vertices, where nothing was scanned
   double spacing = 0;     // if there is any: of the scans, the largest
   bool makes_up = false;  // that is worth a warning: it does not close openings of the model
-  std::string tried;      // what became of a trial that was not taken; empty: there was none
 };
 
-// Of a model that is sampled densely hardly any triangle is lost beside the change. Precondition:
-// the update is ok; `updated` is its mesh. Complexity: as astray_triangles, if more than the
-// least share of the area is lost.
-LostSurface lost_surface(const TriangleMesh& model, const std::vector<std::vector<Point>>& clouds,
-                         const SessionUpdate& update, const TriangleMesh& updated,
-                         const LostSurfaceOptions& options = {});
+// Of a model that is sampled densely hardly any triangle is lost beside the change. `change`: from
+// the model to `updated`, the mesh of the update, which is ok; `scans`: its clouds (scans_of).
+// Errors: InputError for options out
+// of range. Complexity: O(t); as astray_triangles, if more than the least share of the area is
+// lost; and as UnscannedPlaces, of what is new or large. Source: ours.
+LostSurface lost_surface(const TriangleMesh& model, std::span<const Scan> scans,
+                         const UpdateResult& result, const MeshChange& change,
+                         const TriangleMesh& updated, const LostSurfaceOptions& options = {});
 
-// Its counts, to the section "update".
-void add_lost_surface(JsonReport& report, const LostSurface& lost);
-
-// What the user is told, and what to do. Precondition: lost.warns.
-std::string warning_of_lost_surface(const LostSurface& lost, const std::string& model_name,
-                                    const TriangleMesh& model);
-
-// Likewise. Precondition: lost.makes_up.
-std::string warning_of_made_up_surface(const LostSurface& lost, const std::string& model_name);
-
-}  // namespace cocoon::app
+}  // namespace cocoon

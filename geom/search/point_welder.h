@@ -1,4 +1,4 @@
-// Finds equal points while they arrive one by one.
+// Finds equal points while they arrive one by one. (equal_points.h finds those of a list.)
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,16 @@ namespace cocoon {
 class PointWelder {
  public:
   // `points` must outlive this object, and only this object may change it.
-  explicit PointWelder(std::vector<Point>& points) : points_(points), table_(1024, empty) {}
+  explicit PointWelder(std::vector<Point>& points) : points_(points), table_(1024, none) {}
 
-  // The position in `points` of a point equal to `point`.
+  // The position in `points` of a point equal to `point`, the last one if that is new.
   std::size_t add(const Point& point);
 
- private:
-  static constexpr std::size_t empty = ~std::size_t{0};
+  static constexpr std::size_t none = ~std::size_t{0};
+  // The same of points that have been added; else none.
+  std::size_t find(const Point& point) const;
 
+ private:
   std::size_t slot_of(const Point& point) const;
   void grow();
 
