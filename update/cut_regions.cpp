@@ -307,22 +307,37 @@ struct JoinedRims {
   std::vector<std::size_t> cloud_of_scan;
 };
 
-JoinedRims joined_rims(const ModelIndex& model, std::size_t first,
-                       std::span<const std::size_t> joined, std::span<const CloudRim> rims,
-                       std::span<const Border> borders, std::span<const Scan> scans,
+JoinedRims joined_rims(const ModelIndex& model, std::size_t first, const CloudsToCut& clouds,
                        const CutOptions& options) {
   JoinedRims found;
   found.border = TriangleSet(model.mesh().triangles.size(), 0);
-  for (std::size_t c = first; c < rims.size(); ++c) {
-    if (joined[c] != first) continue;
+  for (std::size_t c = first; c < clouds.rims.size(); ++c) {
+    if (clouds.joined[c] != first) continue;
     found.clouds.push_back(c);
-    certain_border(model, rims[c], borders[c].loops, options, found.border);
-    found.rims.push_back(rims[c]);
-    if (scans[c].samples.empty()) continue;
-    found.scans.push_back(scans[c]);
+    certain_border(model, clouds.rims[c], clouds.borders[c].loops, options, found.border);
+    found.rims.push_back(clouds.rims[c]);
+    if (clouds.scans[c].samples.empty()) continue;
+    found.scans.push_back(clouds.scans[c]);
     found.cloud_of_scan.push_back(c);
   }
   return found;
+}
+
+RegionCut cut_as_one(const ModelIndex& model, const JoinedRims& joined,
+                     const OutwardNormals& outward, const CutOptions& options) {
+  const auto outward_of_scan = [&](std::size_t scan) {
+    return outward(joined.cloud_of_scan[scan]);
+  };
+  return cut_under_cloud(model, joined.border, joined.rims, joined.scans, options,
+                         outward ? OutwardNormals(outward_of_scan) : OutwardNormals());
+}
+
+void require_sizes(const CloudsToCut& clouds) {
+  const std::size_t count = clouds.rims.size();
+  require_size("cut_regions", "borders", clouds.borders.size(), count);
+  require_size("cut_regions", "scans", clouds.scans.size(), count);
+  require_size("cut_regions", "clouds that others are joined to", clouds.joined.size(), count);
+  require_size("cut_regions", "flags of clouds", clouds.is_cut.size(), count);
 }
 
 }  // namespace
@@ -393,41 +408,32 @@ std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
   return cut;
 }
 
-CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
-                       std::span<const Border> borders, std::span<const Scan> scans,
-                       std::span<const std::size_t> joined, std::span<const std::uint8_t> is_cut,
+CutRegions cut_regions(const ModelIndex& model, const CloudsToCut& clouds,
                        const CutOptions& options, const SegmentOptions& segment,
-                       const Execution& execution, const OutwardNormals& outward) {
-  require_size("cut_regions", "borders", borders.size(), rims.size());
-  require_size("cut_regions", "scans", scans.size(), rims.size());
-  require_size("cut_regions", "clouds that others are joined to", joined.size(), rims.size());
-  require_size("cut_regions", "flags of clouds", is_cut.size(), rims.size());
+                       const Execution& execution) {
+  require_sizes(clouds);
+  const auto& rims = clouds.rims;
+  const auto& joined = clouds.joined;
   CutRegions result;
-  result.is_cut = clouds_to_cut(is_cut, joined);
+  result.is_cut = clouds_to_cut(clouds.is_cut, joined);
   result.cuts.resize(rims.size());
   result.under.resize(rims.size());
   TriangleSet all(model.mesh().triangles.size(), 0);
   for (std::size_t first = 0; first < rims.size(); ++first) {
     if (result.is_cut[first] == 0) {
-      for (const LoopBorder& band : borders[first].loops) {
+      for (const LoopBorder& band : clouds.borders[first].loops) {
         band.for_each_facet([&](TriangleId t) { all[t] = 1; });
       }
     }
     if (result.is_cut[first] == 0 || joined[first] != first) continue;
-    const JoinedRims cut_as_one = joined_rims(model, first, joined, rims, borders, scans, options);
-    const TriangleSet& border = cut_as_one.border;
-    for (const TriangleId t : all.ids()) all[t] |= border[t];
-    const auto outward_of_scan = [&](std::size_t scan) {
-      return outward(cut_as_one.cloud_of_scan[scan]);
-    };
-    RegionCut cut = cut_under_cloud(model, border, cut_as_one.rims, cut_as_one.scans, options,
-                                    outward ? OutwardNormals(outward_of_scan) : OutwardNormals());
-    const std::vector<std::size_t>& clouds = cut_as_one.clouds;
-    const bool is_whole = std::all_of(clouds.begin(), clouds.end(), [&](std::size_t c) {
-      return covers(border, borders[c].loops);
+    const JoinedRims group = joined_rims(model, first, clouds, options);
+    for (const TriangleId t : all.ids()) all[t] |= group.border[t];
+    RegionCut cut = cut_as_one(model, group, clouds.outward, options);
+    const bool is_whole = std::all_of(group.clouds.begin(), group.clouds.end(), [&](std::size_t c) {
+      return covers(group.border, clouds.borders[c].loops);
     });
     if (is_whole && cut.doubt() > options.max_doubt) {
-      for (const std::size_t c : clouds) result.is_cut[c] = 0;
+      for (const std::size_t c : group.clouds) result.is_cut[c] = 0;
       continue;
     }
     for (const TriangleId t : cut.splinters) all[t] = 1;

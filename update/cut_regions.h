@@ -134,19 +134,25 @@ struct CutRegions {
 std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
                                         std::span<const std::size_t> joined);
 
+// What is known of each cloud, by its number.
+struct CloudsToCut {
+  std::span<const CloudRim> rims;
+  std::span<const Border> borders;
+  std::span<const Scan> scans;           // of one without samples it is not known where it ends
+  std::span<const std::size_t> joined;   // the first of the clouds that it is joined to
+  std::span<const std::uint8_t> is_cut;  // it is to be cut, and so are those that it is joined to
+  OutwardNormals outward = {};
+};
+
 // The components of the model without the borders of all clouds, split so that each lies as a whole
 // under each cloud that is cut, or outside: parts of regions under a cloud are new ones behind the
 // others. Of such clouds the border is certain_border() and splinters, of others all of it. Where
 // triangles are so large that both are the same the rim is as good as whole: if the cut is doubtful
 // there, since no triangle lies under the cloud as a whole, the cloud is not cut.
-// is_cut: clouds to be cut; so are those that they are joined to. rims[c], borders[c], scans[c],
-// joined[c] and is_cut[c] belong together; where a scan without samples ends is not known.
-// `outward`: by the number of the cloud. Errors: InputError unless there are as many of each.
-// Complexity: as cut_under_cloud() for each group of joined clouds.
-CutRegions cut_regions(const ModelIndex& model, std::span<const CloudRim> rims,
-                       std::span<const Border> borders, std::span<const Scan> scans,
-                       std::span<const std::size_t> joined, std::span<const std::uint8_t> is_cut,
+// Errors: InputError unless there are as many of each. Complexity: as cut_under_cloud() for each
+// group of joined clouds.
+CutRegions cut_regions(const ModelIndex& model, const CloudsToCut& clouds,
                        const CutOptions& options = {}, const SegmentOptions& segment = {},
-                       const Execution& execution = {}, const OutwardNormals& outward = {});
+                       const Execution& execution = {});
 
 }  // namespace cocoon

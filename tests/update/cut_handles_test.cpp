@@ -74,8 +74,8 @@ CutRegions regions_cut(const RimOnAMesh& plane) {
   const std::vector<std::size_t> joined = {0};
   const std::vector<std::uint8_t> is_cut = {1};
   const std::vector<Scan> scans(1);
-  return cut_regions(plane.model, std::span(&plane.rim, 1), std::span(&plane.border, 1), scans,
-                     joined, is_cut);
+  return cut_regions(
+      plane.model, {std::span(&plane.rim, 1), std::span(&plane.border, 1), scans, joined, is_cut});
 }
 
 TEST(CutHandles, TheyAreCutWhereTheyAreNarrowest) {

@@ -178,8 +178,11 @@ TEST(CutRegions, TinyPartsAreOfNoRegion) {
   const RimOnAMesh torn = with_inner_loop(2);
   const auto cut = [&](const CutOptions& options) {
     const std::vector<Scan> scans(1);
-    return cut_regions(torn.model, std::span(&torn.rim, 1), std::span(&torn.border, 1), scans,
-                       std::vector<std::size_t>{0}, std::vector<std::uint8_t>{1}, options);
+    const std::vector<std::size_t> joined = {0};
+    const std::vector<std::uint8_t> is_cut = {1};
+    return cut_regions(torn.model,
+                       {std::span(&torn.rim, 1), std::span(&torn.border, 1), scans, joined, is_cut},
+                       options);
   };
   const CutRegions found = cut({});
   ASSERT_FALSE(found.cuts[0].splinters.empty());
@@ -238,7 +241,7 @@ TEST(CutRegions, JoinedCloudsAreCutAsOne) {
   const std::vector<Scan> scans(2);  // where they end is not known
   const std::vector<std::uint8_t> both = {1, 1};
   const CutRegions joined =
-      cut_regions(model, rims, borders, scans, std::vector<std::size_t>{0, 0}, both);
+      cut_regions(model, {rims, borders, scans, std::vector<std::size_t>{0, 0}, both});
   EXPECT_EQ(joined.under[0], joined.under[1]);
   EXPECT_LE(joined.cuts[0].cut_edges, 2U);
   for (const TriangleId t : mesh.triangles.ids()) {
@@ -248,7 +251,7 @@ TEST(CutRegions, JoinedCloudsAreCutAsOne) {
   }
   // Alone each is cut across.
   const CutRegions alone =
-      cut_regions(model, rims, borders, scans, std::vector<std::size_t>{0, 1}, both);
+      cut_regions(model, {rims, borders, scans, std::vector<std::size_t>{0, 1}, both});
   EXPECT_GT(alone.cuts[0].cut_edges, 5U);
   EXPECT_GT(alone.cuts[1].cut_edges, 5U);
 }
@@ -280,7 +283,7 @@ TEST(CutRegions, RegionsLieAsAWholeUnderEachCloud) {
   for (const CloudRim& rim : rims) partial.push_back(rim.is_partial() ? 1 : 0);
   const std::vector<std::uint8_t> is_cut = clouds_to_cut(partial, alone);
   EXPECT_EQ(is_cut, (std::vector<std::uint8_t>{0, 1, 1}));
-  const CutRegions found = cut_regions(model, rims, borders, scans, alone, is_cut);
+  const CutRegions found = cut_regions(model, {rims, borders, scans, alone, is_cut});
   EXPECT_TRUE(found.under[0].empty());
   std::vector<RegionAngles> angles;
   for (std::size_t c = 0; c < rims.size(); ++c) {
@@ -321,7 +324,7 @@ TEST(CutRegions, NothingIsMissingInLargeFacets) {
         trace_border(model, rims[0], overlapping_facets(model, rims[0]))};
     const std::vector<std::uint8_t> all = {1};
     const CutRegions found =
-        cut_regions(model, rims, borders, std::vector<Scan>(1), std::vector<std::size_t>{0}, all);
+        cut_regions(model, {rims, borders, std::vector<Scan>(1), std::vector<std::size_t>{0}, all});
     EXPECT_EQ(found.cuts[0].is_empty(), found.is_cut[0] == 0);
     EXPECT_EQ(found.under[0].empty(), found.is_cut[0] == 0);
     return found.is_cut[0] != 0;
@@ -353,8 +356,8 @@ TEST(CutRegions, PartsOfARegionLieUnderWhoeverItLayUnder) {
     certain_border(model, rim, borders.back().loops, {}, certain);
   }
   const std::vector<Scan> scans(2);  // where they end is not known
-  const CutRegions found = cut_regions(model, rims, borders, scans, std::vector<std::size_t>{0, 1},
-                                       std::vector<std::uint8_t>{1, 1});
+  const CutRegions found = cut_regions(model, {rims, borders, scans, std::vector<std::size_t>{0, 1},
+                                               std::vector<std::uint8_t>{1, 1}});
   ASSERT_EQ(found.regions.regions.size(), 3U);
   std::vector<std::size_t> facets(3, 0);
   for (const TriangleId t : mesh.triangles.ids()) {
@@ -385,7 +388,7 @@ TEST(CutRegions, JoinedCloudsAreCutTogether) {
   const std::vector<std::size_t> joined = {0, 0};
   using Flags = std::vector<std::uint8_t>;
   for (const Flags& flags : {Flags{0, 1}, Flags{1, 0}, Flags{1, 1}}) {
-    const CutRegions cut = cut_regions(model, rims, borders, scans, joined, flags);
+    const CutRegions cut = cut_regions(model, {rims, borders, scans, joined, flags});
     EXPECT_EQ(cut.is_cut, Flags({1, 1}));
     EXPECT_EQ(cut.regions.regions.size(), 3U);
     EXPECT_EQ(cut.under[0].size(), 3U);

@@ -124,9 +124,11 @@ bool segment(UpdateRun& run, const std::vector<std::size_t>& joined, const Execu
     return true;
   }
   std::vector<CloudReport>& reports = run.result.clouds;
+  const std::vector<CloudRim> rims = border_rims_of(reports);
+  const std::vector<Scan> scans = run.scans();
   CutRegions cut =
-      cut_regions(*run.index, border_rims_of(reports), run.borders, run.scans(), joined, run.is_cut,
-                  run.options.cut, run.options.segment, execution, run.outward());
+      cut_regions(*run.index, {rims, run.borders, scans, joined, run.is_cut, run.outward()},
+                  run.options.cut, run.options.segment, execution);
   run.is_cut = std::move(cut.is_cut);
   if (needs_no_cut(run, joined, cut.cuts, execution)) {
     run.is_cut.assign(run.clouds.size(), 0);
