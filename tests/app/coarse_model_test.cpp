@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/report/lost_surface_report.h"
 #include "geom/mesh_measure.h"
 
 namespace cocoon::app {

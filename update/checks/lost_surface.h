@@ -20,7 +20,7 @@ struct LostSurfaceOptions {
   // with finer scans those that are meshes of scans lost 1.1 % at most, those of CAD programs 2.3 %
   // at least.
   double min_coarse_share = 0.015;
-  AstrayOptions astray;
+  AstrayOptions astray = {};
 };
 
 struct LostSurface {
