@@ -1,5 +1,5 @@
-// The geometric step between a file and a mesh, cutting polygons; and the small
-// writers: polylines, base64.
+// The geometric step between a file and a mesh, cutting polygons; and the small writers: polylines,
+// base64.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
