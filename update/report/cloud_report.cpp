@@ -1,5 +1,6 @@
 #include "update/report/cloud_report.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "geom/angles.h"
@@ -41,6 +42,17 @@ std::vector<CloudRim> border_rims_of(std::span<const CloudReport> clouds) {
   std::vector<CloudRim> rims = rims_of(clouds);
   for (std::size_t c = 0; c < clouds.size(); ++c) keep_border_loops(clouds[c].loops, rims[c]);
   return rims;
+}
+
+std::vector<Patch> patches_of(std::span<const CloudReport> clouds) {
+  std::vector<Patch> patches;
+  for (const CloudReport& cloud : clouds) {
+    const auto rims = std::count_if(
+        cloud.loops.begin(), cloud.loops.end(),
+        [](const LoopReport& loop) { return loop.match == LoopMatch::on_model && !loop.pin_hole; });
+    patches.push_back({static_cast<std::size_t>(rims), cloud.replaced_groups.size()});
+  }
+  return patches;
 }
 
 std::vector<CloudReport> reports_of_members(std::vector<CloudReport> reports,

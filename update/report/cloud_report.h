@@ -11,6 +11,7 @@
 #include "geom/point.h"
 #include "update/checks/contradicted_samples.h"
 #include "update/checks/rim_shift.h"
+#include "update/checks/unexplained_handles.h"
 #include "update/choose_regions.h"
 #include "update/cloud/scan.h"
 #include "update/cloud_surface.h"
@@ -69,6 +70,9 @@ std::vector<Scan> scans_of(std::span<const std::vector<Point>> clouds,
                            std::span<const CloudReport> reports);
 // The rims that form the border: of loops that are none of it only the place is left.
 std::vector<CloudRim> border_rims_of(std::span<const CloudReport> clouds);
+
+// What each of them put into the model; pin-holes are no rims.
+std::vector<Patch> patches_of(std::span<const CloudReport> clouds);
 
 // The reports of the clouds given, from those of joined ones: the first of each takes over all that
 // is told, points of joined clouds being those of its members one after the other.

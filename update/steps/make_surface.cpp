@@ -75,8 +75,9 @@ void enter_unexplained(const Attempts& attempts, UpdateResult& result) {
   const auto parts = static_cast<std::ptrdiff_t>(result.loose_parts.count);
   // To close the openings of a model changes its Euler number, too.
   if (!attempts.irregular.empty()) return;
-  result.unexplained_handles = unexplained_handles(result.clouds, result.choice.undecided_loops,
-                                                   result.euler_before, result.euler - 2 * parts);
+  result.unexplained_handles =
+      unexplained_handles(patches_of(result.clouds), result.choice.undecided_loops,
+                          result.euler_before, result.euler - 2 * parts);
 }
 
 // Enters the points, without the samples with a flag, and their surface; returns its triangles, or

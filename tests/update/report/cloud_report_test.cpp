@@ -90,6 +90,20 @@ TEST(CloudReport, HasWhatTheStagesFound) {
   EXPECT_EQ(report.loops[0].covered, 6U);
 }
 
+// Neither pin-holes nor loops off the model are rims of the patch.
+TEST(CloudReport, TellsWhatWasPutIntoTheModel) {
+  CloudReport report;
+  report.loops.resize(4);
+  for (std::size_t l = 0; l < 3; ++l) report.loops[l].match = LoopMatch::on_model;
+  report.loops[2].pin_hole = true;
+  report.replaced_groups = {RegionId(1U), RegionId(2U), RegionId(3U)};
+  const std::vector<Patch> patches = patches_of(std::vector{report, CloudReport{}});
+  ASSERT_EQ(patches.size(), 2U);
+  EXPECT_EQ(patches[0].rims, 2U);
+  EXPECT_EQ(patches[0].parts, 3U);
+  EXPECT_EQ(patches[1].rims, 0U);
+}
+
 TEST(CloudReport, TellsAnglesInDegrees) {
   CloudChoice choice;
   choice.margin = std::numbers::pi / 4;
