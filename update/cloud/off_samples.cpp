@@ -9,7 +9,8 @@ std::vector<OffSample> outward_samples_off_model(const ModelIndex& model, Points
                                                  std::span<const Outward> outward,
                                                  double distance) {
   if (!outward.empty()) {
-    require_size("outward_samples_off_model", "normals of the samples", outward.size(), samples.size());
+    require_size("outward_samples_off_model", "normals of the samples", outward.size(),
+                 samples.size());
   }
   std::vector<OffSample> off;
   for (const PointId p : ids_off_model(model, samples, distance)) {
