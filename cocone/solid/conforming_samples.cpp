@@ -12,8 +12,8 @@
 #include "delaunay/delaunay.h"
 #include "delaunay/point_queries.h"
 #include "geom/errors.h"
+#include "geom/mesh/halfedges.h"
 #include "geom/mesh/linked_mesh.h"
-#include "geom/mesh_check.h"
 #include "geom/messages/require_number.h"
 #include "geom/search/closest_facet.h"
 #include "geom/search/thin_points.h"
@@ -180,7 +180,8 @@ ConformingSamples conforming_samples(const SolidDistances& solid, Points samples
   if (!(options.spacing > 0) || !std::isfinite(options.spacing)) {
     throw InputError("the spacing of samples must be a positive number");
   }
-  if (!mesh_check(solid.solid(), {}, execution).balanced) return {};
+  const TriangleMesh& mesh = solid.solid();
+  if (!is_balanced(mesh, link_halfedges(mesh, execution), execution)) return {};
   const double scale = working_scale(solid.solid().points.raw());
   if (scale == 1) return Refinement(solid, samples, options, execution).run();
   ConformingOptions scaled_options = options;

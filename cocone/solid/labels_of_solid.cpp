@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cocone/solid/cell_heights.h"
-#include "geom/mesh_check.h"
+#include "geom/mesh/halfedges.h"
 #include "geom/messages/require_number.h"
 #include "geom/messages/require_size.h"
 #include "geom/parallel/parallel_list.h"
@@ -56,10 +56,11 @@ void add_labels_of_solid(const Triangulation& triangulation, const SolidDistance
                  triangulation.num_cells());
   }
   require_amounts("add_labels_of_solid", {{"min_depth", options.min_depth}});
-  if (!mesh_check(solid.solid()).balanced) return;
+  const TriangleMesh& mesh = solid.solid();
+  if (!is_balanced(mesh, link_halfedges(mesh, execution), execution)) return;
   std::vector<CellId> open;
   if (known.cells > 0 && options.places == CellPlaces::centroid) {
-    open = without_confirmed(triangulation, solid.solid(), cells, known, execution);
+    open = without_confirmed(triangulation, mesh, cells, known, execution);
     cells = open;
   }
   const auto is_settled = [&](const CentroidHeight& middle) {
