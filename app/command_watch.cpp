@@ -35,6 +35,8 @@
 #include "io/file_bytes.h"
 #include "io/input_file.h"
 #include "io/lock_file.h"
+#include "update/checks/lost_surface.h"
+#include "update/report/cloud_report.h"
 
 namespace cocoon::app {
 

@@ -20,6 +20,7 @@
 #include "geom/signed_distance.h"
 #include "io/atomic_file.h"
 #include "io/mesh_file.h"
+#include "update/report/cloud_report.h"
 #include "update/report/update_messages.h"
 #include "update/report/vertex_origins.h"
 

@@ -307,7 +307,7 @@ struct JoinedRims {
   std::vector<std::size_t> cloud_of_scan;
 };
 
-JoinedRims joined_rims(const ModelIndex& model, std::size_t first, const CloudsToCut& clouds,
+JoinedRims joined_rims(const ModelIndex& model, std::size_t first, const CloudsOnModel& clouds,
                        const CutOptions& options) {
   JoinedRims found;
   found.border = TriangleSet(model.mesh().triangles.size(), 0);
@@ -332,7 +332,7 @@ RegionCut cut_as_one(const ModelIndex& model, const JoinedRims& joined,
                          outward ? OutwardNormals(outward_of_scan) : OutwardNormals());
 }
 
-void require_sizes(const CloudsToCut& clouds) {
+void require_sizes(const CloudsOnModel& clouds) {
   const std::size_t count = clouds.rims.size();
   require_size("cut_regions", "borders", clouds.borders.size(), count);
   require_size("cut_regions", "scans", clouds.scans.size(), count);
@@ -408,7 +408,7 @@ std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
   return cut;
 }
 
-CutRegions cut_regions(const ModelIndex& model, const CloudsToCut& clouds,
+CutRegions cut_regions(const ModelIndex& model, const CloudsOnModel& clouds,
                        const CutOptions& options, const SegmentOptions& segment,
                        const Execution& execution) {
   require_sizes(clouds);

@@ -135,7 +135,7 @@ std::vector<std::uint8_t> clouds_to_cut(std::span<const std::uint8_t> partial,
                                         std::span<const std::size_t> joined);
 
 // What is known of each cloud, by its number.
-struct CloudsToCut {
+struct CloudsOnModel {
   std::span<const CloudRim> rims;
   std::span<const Border> borders;
   std::span<const Scan> scans;           // of one without samples it is not known where it ends
@@ -151,7 +151,7 @@ struct CloudsToCut {
 // there, since no triangle lies under the cloud as a whole, the cloud is not cut.
 // Errors: InputError unless there are as many of each. Complexity: as cut_under_cloud() for each
 // group of joined clouds.
-CutRegions cut_regions(const ModelIndex& model, const CloudsToCut& clouds,
+CutRegions cut_regions(const ModelIndex& model, const CloudsOnModel& clouds,
                        const CutOptions& options = {}, const SegmentOptions& segment = {},
                        const Execution& execution = {});
 

@@ -121,6 +121,7 @@ void require_options(const char* stage, const DenseTrialOptions& options) {
   require_shares(stage,
                  {{"dense_trial.min_large_share", options.min_large_share},
                   {"dense_trial.min_large_share_if_refused", options.min_large_share_if_refused}});
+  require_number(stage, "dense_trial.neighbor", static_cast<double>(options.neighbor), 1, infinity);
   require_amounts(stage, {{"dense_trial.neighbor_share", options.neighbor_share}});
   require_number(stage, "dense_trial.most_samples", options.most_samples, 1, infinity);
   require_number(stage, "dense_trial.max_given_up", options.max_given_up, -1, infinity);

@@ -33,7 +33,8 @@ std::vector<CellId> without_confirmed(const Triangulation& triangulation, const 
     }
   };
   constexpr std::size_t grain = 1024;
-  return parallel_list<CellId>(execution, cells.size(), grain, find);
+  const StagePart part{"signed_distance"};
+  return parallel_list<CellId>(execution, part, cells.size(), grain, find);
 }
 
 }  // namespace

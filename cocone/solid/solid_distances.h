@@ -18,7 +18,7 @@ class SolidDistances {
   // Keeps the reference, which must outlive the object, and remembers nothing. Implicit: whoever
   // asks once gives the mesh.
   SolidDistances(const TriangleMesh& solid);  // NOLINT(google-explicit-constructor)
-  // Keeps the mesh, and 48 to 64 bytes for each place that was asked about. Copies share both.
+  // Keeps the mesh, and 48 to 96 bytes for each place that was asked about. Copies share both.
   explicit SolidDistances(std::shared_ptr<const TriangleMesh> solid);
 
   const TriangleMesh& solid() const { return *solid_; }

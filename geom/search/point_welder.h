@@ -16,6 +16,10 @@ class PointWelder {
   // `points` must outlive this object, and only this object may change it.
   explicit PointWelder(std::vector<Point>& points) : points_(points), table_(1024, none) {}
 
+  // A copy would write to the points of this one.
+  PointWelder(const PointWelder&) = delete;
+  PointWelder& operator=(const PointWelder&) = delete;
+
   // The position in `points` of a point equal to `point`, the last one if that is new.
   std::size_t add(const Point& point);
 

@@ -140,7 +140,12 @@ TEST(StageOptions, StagesCalledAloneRefuseThemToo) {
   expect_refused("unscanned_losses",
                  [&] { unscanned_losses(model, {}, scans, {}, false, {.reach = nan}); });
   expect_refused("contradicted_samples", [&] { contradicted_samples({}, {}, {.reach = nan}); });
-  expect_refused("dense_spacing", [&] { dense_spacing(mesh, {}, {.neighbor_share = nan}); });
+  for (const DenseTrialOptions& options :
+       {DenseTrialOptions{.min_large_share = 2}, DenseTrialOptions{.neighbor = 0},
+        DenseTrialOptions{.neighbor_share = nan}, DenseTrialOptions{.max_given_up = -2},
+        DenseTrialOptions{.lost = {.astray = {.reach = nan}}}}) {
+    expect_refused("dense_spacing", [&] { dense_spacing(mesh, {}, options); });
+  }
   expect_refused("lost_surface",
                  [&] { lost_surface(mesh, scans, {}, {}, mesh, {.min_area_share = 2}); });
   expect_refused("astray_triangles",

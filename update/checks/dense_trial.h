@@ -30,12 +30,15 @@ struct DenseTrialOptions {
   // How much has to be lost, so that it is worth the time, and at most.
   LostSurfaceOptions lost = {};
   // The second update is better if what it alone loses or makes up is at most this part of what the
-  // first alone does. Negative: it never is.
+  // first alone does, if that is ok. Negative: it never is.
   double max_given_up = 0.5;
 };
 
+// All throw InputError for options out of range. Source: ours, docs/update.md#outcomes.
+
 // The spacing at which to sample the model: that of the coarsest scan, or the one that gives
-// most_samples. 0: the clouds have none. Complexity: O(n log n + t).
+// most_samples. 0: neither have the clouds any, nor has the model an area. Complexity: O(n log n +
+// t).
 double dense_spacing(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                      const DenseTrialOptions& options = {});
 
@@ -45,7 +48,8 @@ bool has_large_triangles(const TriangleMesh& model, std::span<const std::vector<
                          double share, const DenseTrialOptions& options = {});
 
 // Whether the update of the model as it is loses so much by large triangles that a trial is worth
-// its time. `lost`: of an update that is ok. Complexity: as has_large_triangles().
+// its time; or, if it is refused, whether large triangles are min_large_share_if_refused of the
+// area. `lost`: of an update that is ok. Complexity: as has_large_triangles().
 bool is_worth_dense_trial(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateResult& result, const LostSurface& lost,
                           const DenseTrialOptions& options = {});
@@ -73,7 +77,9 @@ struct KeptAreas {
 KeptAreas kept_areas(const TrialUpdate& first, const TrialUpdate& dense,
                      std::span<const Scan> scans, const AstrayOptions& options = {});
 
-// Whether by the update of the dense model less is lost and made up.
+// Whether by the update of the dense model less is lost and made up. Where the first one is refused
+// there is nothing to compare: then it may lose and make up min_area_share at most. Complexity:
+// O(1).
 bool keeps_more(const KeptAreas& areas, bool first_is_ok, const DenseTrialOptions& options = {});
 
 }  // namespace cocoon

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "geom/mesh/triangles_by_area.h"
 #include "update/checks/model_places.h"

@@ -7,6 +7,7 @@
 #include "geom/triangle_mesh.h"
 #include "update/checks/lost_triangles.h"
 #include "update/checks/made_up_surface.h"
+#include "update/cloud/scan.h"
 #include "update/model/mesh_change.h"
 #include "update/update_model.h"
 
@@ -41,9 +42,9 @@ struct LostSurface {
 
 // Of a model that is sampled densely hardly any triangle is lost beside the change. `change`: from
 // the model to `updated`, the mesh of the update, which is ok; `scans`: its clouds (scans_of).
-// Errors: InputError for options out
-// of range. Complexity: O(t); as astray_triangles, if more than the least share of the area is
-// lost; and as UnscannedPlaces, of what is new or large. Source: ours.
+// Errors: InputError for options out of range. Complexity: O(t); as astray_triangles, if more than
+// the least share of the area is lost; and as UnscannedPlaces, of what is new or large. Source:
+// ours.
 LostSurface lost_surface(const TriangleMesh& model, std::span<const Scan> scans,
                          const UpdateResult& result, const MeshChange& change,
                          const TriangleMesh& updated, const LostSurfaceOptions& options = {});

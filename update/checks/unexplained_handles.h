@@ -21,7 +21,7 @@ struct Patch {
 // (`empty_loops`, of all clouds: RegionChoice::undecided_loops), but of no cloud, nor of all, more
 // than there are loops: a border that touches itself encloses slivers of the model. `before` and
 // `after`: Euler numbers of the models, `after` without loose parts, each of them taken for a
-// sphere. Complexity: O(loops). Source: ours.
+// sphere. Complexity: O(patches). Source: ours.
 std::size_t unexplained_handles(std::span<const Patch> patches, std::size_t empty_loops,
                                 std::ptrdiff_t before, std::ptrdiff_t after);
 

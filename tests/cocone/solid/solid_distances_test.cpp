@@ -20,7 +20,7 @@ TEST(SolidDistances, AreTheSignedDistancesWhateverWasAskedBefore) {
   const SolidDistances once(box);
   const SolidDistances remembered(std::make_shared<const TriangleMesh>(box));
   EXPECT_EQ(once.at(places), expected);
-  for (const std::size_t count : {200, 0, 150, 600, 600}) {
+  for (const std::size_t count : {575, 200, 0, 150, 600, 600}) {
     std::vector<Point> asked(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count));
     std::vector<double> wanted(expected.begin(),
                                expected.begin() + static_cast<std::ptrdiff_t>(count));

@@ -40,11 +40,11 @@ TEST(DenseTrial, LargeIsWhatIsLargerThanTheScan) {
   const TriangleMesh box = gallery::box(10, 10, 10);
   EXPECT_TRUE(has_large_triangles(box, grid_cloud(), 1));
   EXPECT_FALSE(has_large_triangles(gallery::box(0.1, 0.1, 0.1), grid_cloud(), 0));
-  // A tenth as long: a hundredth of the area.
+  // The smaller one, with a hundredth of the area, has no large triangles.
   const TriangleMesh both = gallery::join(
-      gallery::box(10, 10, 10), gallery::translated(gallery::box(.1, .1, .1), {20, 0, 0}));
-  EXPECT_FALSE(has_large_triangles(both, grid_cloud(), 1));
-  EXPECT_TRUE(has_large_triangles(both, grid_cloud(), 0.99));
+      gallery::box(2, 2, 2), gallery::translated(gallery::box(0.2, 0.2, 0.2), {20, 0, 0}));
+  EXPECT_FALSE(has_large_triangles(both, grid_cloud(), 0.995));
+  EXPECT_TRUE(has_large_triangles(both, grid_cloud(), 0.985));
 }
 
 TEST(DenseTrial, IsWorthItWhereLargeTrianglesLoseSurfaceOrTheUpdateIsRefused) {
@@ -105,6 +105,23 @@ TEST(DenseTrial, AfterARefusalTheSecondHasToKeepNearlyAll) {
   const UpdateResult other = with_mesh(model, gallery::box(4, 4, 3));
   const KeptAreas areas = kept_areas({model, refused}, {model, other}, scans);
   EXPECT_GT(areas.neither, 16);
+  EXPECT_FALSE(keeps_more(areas, false));
+}
+
+TEST(DenseTrial, OptionsSayHowMuchBetterItHasToBe) {
+  KeptAreas areas = {.all = 100, .only_dense = 3, .made_up_by_first = 2};
+  areas.only_first = 1;
+  areas.made_up_by_dense = 1;
+  EXPECT_TRUE(keeps_more(areas, true));  // 2 given up for 5
+  EXPECT_TRUE(keeps_more(areas, true, {.max_given_up = 0.4}));
+  EXPECT_FALSE(keeps_more(areas, true, {.max_given_up = 0.39}));
+  areas = {.all = 100, .only_dense = 1.4};  // not worth it
+  EXPECT_FALSE(keeps_more(areas, true));
+  areas.only_dense = 1.6;
+  EXPECT_TRUE(keeps_more(areas, true));
+  areas = {.all = 100, .neither = 1, .made_up_by_dense = 0.9};
+  EXPECT_TRUE(keeps_more(areas, false));
+  areas.made_up_by_dense = 1.1;
   EXPECT_FALSE(keeps_more(areas, false));
 }
 

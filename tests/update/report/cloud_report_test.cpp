@@ -102,6 +102,7 @@ TEST(CloudReport, TellsWhatWasPutIntoTheModel) {
   EXPECT_EQ(patches[0].rims, 2U);
   EXPECT_EQ(patches[0].parts, 3U);
   EXPECT_EQ(patches[1].rims, 0U);
+  EXPECT_EQ(patches[1].parts, 0U);
 }
 
 TEST(CloudReport, TellsAnglesInDegrees) {
