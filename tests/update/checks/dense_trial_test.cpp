@@ -42,7 +42,7 @@ TEST(DenseTrial, LargeIsWhatIsLargerThanTheScan) {
   EXPECT_FALSE(has_large_triangles(gallery::box(0.1, 0.1, 0.1), grid_cloud(), 0));
   // The smaller one, with a hundredth of the area, has no large triangles.
   const TriangleMesh both = gallery::join(
-      gallery::box(2, 2, 2), gallery::translated(gallery::box(0.2, 0.2, 0.2), {20, 0, 0}));
+      gallery::box(1, 1, 1), gallery::translated(gallery::box(0.1, 0.1, 0.1), {20, 0, 0}));
   EXPECT_FALSE(has_large_triangles(both, grid_cloud(), 0.995));
   EXPECT_TRUE(has_large_triangles(both, grid_cloud(), 0.985));
 }
