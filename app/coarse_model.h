@@ -1,5 +1,5 @@
-// Models whose triangles are too large for their scans, as CAD programs give them: an update makes
-// the new mesh from points alone, and from few vertices it makes another shape.
+// Updates of models whose triangles may be too large for their scans (dense_trial.h): carried out,
+// and told.
 #pragma once
 
 #include <string>

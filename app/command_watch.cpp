@@ -317,8 +317,9 @@ class Watch {
     const LostSurface lost =
         lost_surface(model, scans, update.result, update.change, session_.model());
     std::vector<std::string>& warnings = update.result.warnings;
-    if (lost.warns)
+    if (lost.warns) {
       warnings.push_back(warning_of_lost_surface(lost, tried, arguments_.model, model));
+    }
     if (lost.makes_up) warnings.push_back(warning_of_made_up_surface(lost, arguments_.model));
   }
 

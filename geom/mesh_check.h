@@ -1,8 +1,8 @@
 // A certificate: what kind of surface a triangle mesh is, in counts that anyone can recompute.
 // Independent on purpose: of this library's mesh code it uses only linked_mesh.h (links, and which
 // edges are irregular), what finds parts that hang together (edge_components.h, disjoint_sets.h)
-// and the exact collinearity test, so that it can judge what the stages produce. See
-// docs/stages/mesh_check.md.
+// and equal points (equal_points.h), and the exact collinearity test, so that it can judge what the
+// stages produce. See docs/stages/mesh_check.md.
 #pragma once
 
 #include <array>
@@ -94,9 +94,9 @@ struct MeshCheckOptions {
 // Checks `mesh`. Throws InputError if a triangle names a vertex that is not there; everything
 // else that can be wrong with a mesh is a count. Self-intersections are a question of geometry
 // and cost more: see self_intersection.h.
-// Complexity: O((t + v) log (t + v)), O(t + v) expected for bounded valence; parallel but for the
-// search for components. Deterministic: counts do not depend on the order of vertices and
-// triangles.
+// Complexity: O((t + v) log (t + v)), O(t + v) expected for bounded valence and few vertices at one
+// place; parallel but for the search for components. Deterministic: counts do not depend on the
+// order of vertices and triangles.
 MeshReport mesh_check(const TriangleMesh& mesh, const MeshCheckOptions& options = {},
                       const Execution& execution = {});
 

@@ -51,7 +51,7 @@ struct CentroidHeight {
 // Whether the centroid tells all that is asked of a cell.
 using IsSettled = std::function<bool(const CentroidHeight&)>;
 
-// The mean of the corners, with the same bits in every order of them. Precondition: finite.
+// The mean of the corners, with the same bits in every order of them. Precondition: finite. O(1).
 Point centroid_of(const Triangulation& triangulation, CellId c);
 
 // Of each of these finite cells, at these places; of cells that are settled, at the centroid alone,

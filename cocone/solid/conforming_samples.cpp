@@ -180,8 +180,7 @@ ConformingSamples conforming_samples(const SolidDistances& solid, Points samples
   if (!(options.spacing > 0) || !std::isfinite(options.spacing)) {
     throw InputError("the spacing of samples must be a positive number");
   }
-  const TriangleMesh& mesh = solid.solid();
-  if (!is_balanced(mesh, link_halfedges(mesh, execution), execution)) return {};
+  if (!is_balanced(solid.solid(), execution)) return {};
   const double scale = working_scale(solid.solid().points.raw());
   if (scale == 1) return Refinement(solid, samples, options, execution).run();
   ConformingOptions scaled_options = options;

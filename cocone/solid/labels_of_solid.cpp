@@ -58,7 +58,7 @@ void add_labels_of_solid(const Triangulation& triangulation, const SolidDistance
   }
   require_amounts("add_labels_of_solid", {{"min_depth", options.min_depth}});
   const TriangleMesh& mesh = solid.solid();
-  if (!is_balanced(mesh, link_halfedges(mesh, execution), execution)) return;
+  if (!is_balanced(mesh, execution)) return;
   std::vector<CellId> open;
   if (known.cells > 0 && options.places == CellPlaces::centroid) {
     open = without_confirmed(triangulation, mesh, cells, known, execution);

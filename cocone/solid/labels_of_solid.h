@@ -39,7 +39,8 @@ KnownLabels labels_of_solid(const Triangulation& triangulation, const SolidDista
                             const Execution& execution = {});
 
 // The same for `cells` only, beside what is known of others. What is known of these cells already
-// is kept, but forgotten where the solid tells otherwise.
+// is kept, but forgotten where the solid tells otherwise. With CellPlaces::centroid no distance is
+// asked of those whose centroid lies on the side that is known.
 void add_labels_of_solid(const Triangulation& triangulation, const SolidDistances& solid,
                          std::span<const CellId> cells, KnownLabels& known,
                          const LabelsOfSolidOptions& options = {}, const Execution& execution = {});

@@ -238,6 +238,10 @@ bool is_balanced(const TriangleMesh& mesh, const HalfedgeRings& rings, const Exe
          });
 }
 
+bool is_balanced(const TriangleMesh& mesh, const Execution& execution) {
+  return is_balanced(mesh, link_halfedges(mesh, execution), execution);
+}
+
 HalfedgeRings link_rest(const HalfedgeRings& rings, std::span<const std::uint8_t> removed) {
   std::vector<std::uint32_t> number(removed.size());  // of the triangles that are left
   std::uint32_t count = 0;

@@ -117,6 +117,8 @@ HalfedgeRings link_halfedges(const TriangleMesh& mesh, const Execution& executio
 // mesh bounds a volume (MeshReport::balanced). Complexity: O(triangles), parallel.
 bool is_balanced(const TriangleMesh& mesh, const HalfedgeRings& rings,
                  const Execution& execution = {});
+// Overload for who needs no links. Throws InputError as link_halfedges().
+bool is_balanced(const TriangleMesh& mesh, const Execution& execution = {});
 
 // Those of the triangles whose flag is 0, numbered anew in their order. Complexity: O(triangles).
 HalfedgeRings link_rest(const HalfedgeRings& rings, std::span<const std::uint8_t> removed);

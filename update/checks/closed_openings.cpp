@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geom/messages/require_size.h"
-#include "update/checks/updated_vertices.h"
+#include "update/model/updated_vertices.h"
 #include "update/stage_options.h"
 
 namespace cocoon {

@@ -7,7 +7,7 @@
 
 #include "geom/mesh/triangles_by_area.h"
 #include "update/checks/model_places.h"
-#include "update/checks/updated_vertices.h"
+#include "update/model/updated_vertices.h"
 #include "update/stage_options.h"
 
 namespace cocoon {

@@ -4,12 +4,12 @@
 
 namespace cocoon {
 
-std::size_t unexplained_handles(std::span<const Patch> patches, std::size_t empty_loops,
+std::size_t unexplained_handles(std::span<const SewnPatch> patches, std::size_t empty_loops,
                                 std::ptrdiff_t before, std::ptrdiff_t after) {
   std::size_t parts = empty_loops;
   std::size_t loops = 0;
   std::size_t sewn_in = 0;  // in their place
-  for (const Patch& patch : patches) {
+  for (const SewnPatch& patch : patches) {
     if (patch.rims == 0) continue;
     ++sewn_in;
     loops += patch.rims;

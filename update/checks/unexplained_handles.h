@@ -7,7 +7,7 @@
 namespace cocoon {
 
 // What a cloud put into the model.
-struct Patch {
+struct SewnPatch {
   std::size_t rims = 0;   // loops of its rim on the model
   std::size_t parts = 0;  // replaced groups under it
 };
@@ -22,7 +22,7 @@ struct Patch {
 // than there are loops: a border that touches itself encloses slivers of the model. `before` and
 // `after`: Euler numbers of the models, `after` without loose parts, each of them taken for a
 // sphere. Complexity: O(patches). Source: ours.
-std::size_t unexplained_handles(std::span<const Patch> patches, std::size_t empty_loops,
+std::size_t unexplained_handles(std::span<const SewnPatch> patches, std::size_t empty_loops,
                                 std::ptrdiff_t before, std::ptrdiff_t after);
 
 }  // namespace cocoon

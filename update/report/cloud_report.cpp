@@ -44,8 +44,8 @@ std::vector<CloudRim> border_rims_of(std::span<const CloudReport> clouds) {
   return rims;
 }
 
-std::vector<Patch> patches_of(std::span<const CloudReport> clouds) {
-  std::vector<Patch> patches;
+std::vector<SewnPatch> patches_of(std::span<const CloudReport> clouds) {
+  std::vector<SewnPatch> patches;
   for (const CloudReport& cloud : clouds) {
     const auto rims = std::count_if(
         cloud.loops.begin(), cloud.loops.end(),

@@ -72,7 +72,7 @@ std::vector<Scan> scans_of(std::span<const std::vector<Point>> clouds,
 std::vector<CloudRim> border_rims_of(std::span<const CloudReport> clouds);
 
 // What each of them put into the model; pin-holes are no rims.
-std::vector<Patch> patches_of(std::span<const CloudReport> clouds);
+std::vector<SewnPatch> patches_of(std::span<const CloudReport> clouds);
 
 // The reports of the clouds given, from those of joined ones: the first of each takes over all that
 // is told, points of joined clouds being those of its members one after the other.

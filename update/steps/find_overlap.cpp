@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "update/report/unit_factor.h"
+#include "update/checks/unit_factor.h"
 #include "update/report/update_messages.h"
 #include "update/steps/detect_boundaries.h"
 

@@ -11,9 +11,9 @@
 #include "update/checks/loose_parts.h"
 #include "update/checks/patch_handles.h"
 #include "update/checks/unexplained_handles.h"
-#include "update/checks/updated_vertices.h"
 #include "update/disproved_facets.h"
 #include "update/model/euler_number.h"
+#include "update/model/updated_vertices.h"
 #include "update/regions/kept_surface.h"
 #include "update/report/update_messages.h"
 

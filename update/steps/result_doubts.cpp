@@ -8,10 +8,10 @@
 #include "update/checks/closed_openings.h"
 #include "update/checks/contradicted_samples.h"
 #include "update/checks/loose_parts.h"
-#include "update/checks/samples_with_flag.h"
 #include "update/checks/unscanned_losses.h"
 #include "update/checks/unused_changes.h"
-#include "update/checks/updated_vertices.h"
+#include "update/cloud/samples_with_flag.h"
+#include "update/model/updated_vertices.h"
 #include "update/report/update_messages.h"
 
 namespace cocoon {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "update/checks/samples_with_flag.h"
+#include "update/cloud/samples_with_flag.h"
 
 namespace cocoon {
 namespace {

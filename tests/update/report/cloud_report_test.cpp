@@ -97,7 +97,7 @@ TEST(CloudReport, TellsWhatWasPutIntoTheModel) {
   for (std::size_t l = 0; l < 3; ++l) report.loops[l].match = LoopMatch::on_model;
   report.loops[2].pin_hole = true;
   report.replaced_groups = {RegionId(1U), RegionId(2U), RegionId(3U)};
-  const std::vector<Patch> patches = patches_of(std::vector{report, CloudReport{}});
+  const std::vector<SewnPatch> patches = patches_of(std::vector{report, CloudReport{}});
   ASSERT_EQ(patches.size(), 2U);
   EXPECT_EQ(patches[0].rims, 2U);
   EXPECT_EQ(patches[0].parts, 3U);

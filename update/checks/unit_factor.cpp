@@ -1,4 +1,4 @@
-#include "update/report/unit_factor.h"
+#include "update/checks/unit_factor.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "update/checks/updated_vertices.h"
+#include "update/model/updated_vertices.h"
 
 #include <algorithm>
 #include <cstddef>

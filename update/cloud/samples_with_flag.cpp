@@ -1,4 +1,4 @@
-#include "update/checks/samples_with_flag.h"
+#include "update/cloud/samples_with_flag.h"
 
 #include <cstddef>
 #include <utility>
