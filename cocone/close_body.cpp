@@ -99,7 +99,7 @@ ClosedBody BodyCloser::clean_up(CellMarks marks) const {
 }
 
 ClosedBody BodyCloser::clean_up_knowing(CellMarks marks, const KnownLabels& told) const {
-  if (!told.undisturbed.empty()) return clean_up_foreign(marks, told.labels);
+  if (told.is_foreign()) return clean_up_foreign(marks, told.labels);
   // The marking has asked already if good vertices disagreed.
   if (marks.known.empty()) marks.known = told.labels;
   return clean_up(std::move(marks));
@@ -184,7 +184,7 @@ bool BodyCloser::make_heeding(const KnownLabels& told, bool in_doubt, double mos
     if (!(static_cast<double>(left) > most)) return is_better;
   }
   // A mesh of another program contradicts many good vertices.
-  const bool is_foreign = !told.undisturbed.empty();
+  const bool is_foreign = told.is_foreign();
   offer(mark_undoubted_cells(triangulation_, surface_, find_good_vertices(),
                              is_foreign ? likely : taken.labels, likely, execution_));
   return is_better;
@@ -197,7 +197,7 @@ ClosedBody close_body(const MarkedSurface& marked, CellMarks peeled, const Known
   const ReconstructOptions effective = effective_options(options);
   const std::size_t cells = marked.triangulation.num_cells();
   require_labels("labels of cells that are known beforehand", told.labels, cells,
-                 !told.undisturbed.empty());
+                 told.is_foreign());
   require_labels("labels of cells that are likely", told.likely, cells, false);
   const BodyCloser closer(marked, effective, execution);
   const bool in_doubt = is_in_doubt(peeled);

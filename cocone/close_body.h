@@ -1,7 +1,7 @@
 // From marks to the body: the clean-up, with what is known of inside and outside beforehand.
 //
 // What is known tells the clean-up where marks leave doubt. What is likely does where the surface
-// is no rougher by it. A mesh that is none of ours (KnownLabels::undisturbed) cuts sharp edges
+// is no rougher by it. A foreign mesh (KnownLabels::is_foreign) cuts sharp edges
 // otherwise than facets do: it yields to good vertices where the surface would touch itself.
 #pragma once
 
@@ -47,7 +47,7 @@ inline bool is_in_doubt(const CellMarks& marks) {
 
 // Whether the marking may have to be done again. Complexity: O(1).
 inline bool needs_links(const KnownLabels& told) {
-  return !told.likely.empty() || !told.undisturbed.empty();
+  return !told.likely.empty() || told.is_foreign();
 }
 
 // `peeled`: of peel_cells. `told`: of none unless marks are in doubt, or have not reached all good
@@ -56,7 +56,7 @@ inline bool needs_links(const KnownLabels& told) {
 // times, with markings and peels of its own, and where a mesh that is none of ours tells, in up to
 // ReconstructOptions::yield_rounds + 1 rounds each, of two markings if the first has asked it.
 // Deterministic. Errors: InputError for labels of another triangulation, by their number, and for
-// options out of range; Cancelled. Source: ours, docs/stages/mark_cells.md.
+// options out of range; Cancelled. Source: ours, docs/stages/known_labels.md.
 ClosedBody close_body(const MarkedSurface& marked, CellMarks peeled, const KnownLabels& told,
                       const ReconstructOptions& options, const Execution& execution = {});
 

@@ -14,7 +14,7 @@ constexpr std::size_t cells_per_chunk = 4096;
 constexpr std::size_t facets_ahead = 16;
 
 // Puts the parts of successive cells together. Ids of the other side and corners are looked up only
-// now: lists that grow leave memory behind that nobody else gets.
+// now: lists that grow leave blocks of memory behind that are too small to be used again.
 Cocones put_together(const Triangulation& triangulation, std::vector<MetFacets> parts,
                      double cosine, const Execution& execution) {
   std::vector<std::size_t> places(parts.size() + 1, 0);

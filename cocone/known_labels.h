@@ -27,9 +27,10 @@ struct KnownLabels {
   // triangle may cut through the cell: `labels` has for it what triangles at other corners tell, if
   // any do, but most of it may lie on the other side. There are none in a mesh whose triangles were
   // facets of a triangulation of its vertices; in others there are where sheets are closer than
-  // vertices, or a grid has other diagonals. So if there are any the mesh is none of ours, and what
-  // it tells need not fit the samples. Then `labels` has all cells.
+  // vertices, or a grid has other diagonals. So if there are any the mesh is foreign, and what it
+  // tells need not fit the samples. Then `labels` has all cells.
   std::vector<CellId> undisturbed;
+  bool is_foreign() const { return !undisturbed.empty(); }
   // What is likely of cells of which `labels` tells nothing, as of those on lines of sight.
   // Unmarked: nothing is. Empty: of none. Heeded where the surface is no rougher by it
   // (checks/surface_roughness.h).
@@ -84,7 +85,7 @@ struct OldSurface {
 // Triangles are looked for in `surface` first, which changes nothing else. Errors: InputError for
 // one of another triangulation, by its size. Complexity: O(cells + t) for t triangles, for bounded
 // valence; in part parallel. Deterministic: independent of their order and of the threads. Source:
-// ours, docs/stages/mark_cells.md.
+// ours, docs/stages/known_labels.md.
 KnownLabels known_labels(const Triangulation& triangulation,
                          std::span<const KnownTriangle> triangles, const FacetSet& surface,
                          const Execution& execution = {});

@@ -53,7 +53,7 @@ CellMarks mark_cells(const Triangulation& triangulation, const LinkedFacets& sur
 // pocket. They are no longer good (refuted_vertices). The labels mark nothing themselves, and are
 // not in CellMarks::known: whoever wants the clean-up to heed them puts them there. Both: as many
 // as there are cells. Errors, complexity and determinism as above. Source: ours,
-// docs/stages/mark_cells.md, likely labels.
+// docs/stages/known_labels.md, likely labels.
 CellMarks mark_undoubted_cells(const Triangulation& triangulation, const LinkedFacets& surface,
                                GoodVertices good, const IdVector<CellId, CellLabel>& known,
                                const IdVector<CellId, CellLabel>& likely,

@@ -49,8 +49,9 @@ struct PolesAndSides {
 };
 
 // The same, and the sides of all Voronoi vertices to the double cones of this cosine about the
-// normals, which the cocones are read off (cocones.h): the second pass has them at hand. Errors:
-// the cosine is to be that of CoconeOptions.
+// normals, which the cocones are read off (cocones.h): the second pass has them at hand. The cosine
+// must be that of the cocones that are read off. Errors: InputError for one that is out of range.
+// Complexity: the same.
 PolesAndSides poles_and_sides(const Triangulation& triangulation, const Dual& dual, double cosine,
                               const Execution& execution = {});
 
@@ -61,6 +62,7 @@ struct DualAndPoles {
 };
 
 // The same of a triangulation whose dual is not known yet: the first pass makes it on its way.
+// Complexity: the same.
 DualAndPoles dual_and_poles(const Triangulation& triangulation, double cosine,
                             const Execution& execution = {});
 

@@ -21,7 +21,7 @@ struct PruneOptions {
 
 struct PrunedCandidates {
   LinkedFacets left;           // what was not pruned
-  VertexSet umbrella;          // flags of the safety check, before anything was pruned
+  VertexSet umbrella;          // flags of vertices with an umbrella, before anything was pruned
   std::size_t candidates = 0;  // before
   std::size_t pruned = 0;
   std::size_t umbrellas = 0;  // vertices with an umbrella

@@ -35,7 +35,7 @@ enum class SurfaceStatus {
 enum class Mode {
   paper,   // as published: radius_mode = cocone, no deferred seeding, no second look, no cavities,
            // no clean-up, whatever the options say
-  robust,  // the options as they are
+  robust,  // the options as they are, but for what depends on others: effective_options()
 };
 
 // The defaults are for closed models; see open_cloud_defaults().
@@ -53,8 +53,9 @@ struct ReconstructOptions {
   // reconstruct_tight, robust mode only: whether closed surfaces inside the body bound hollows of
   // it (open_cavities, after the clean-up). False, as in the paper: they are left out.
   bool keep_cavities = false;
-  // reconstruct_tight_with_labels, where a mesh of another program tells: at most so often the
-  // clean-up is done again where what it tells makes the surface touch itself. 0: it never yields.
+  // reconstruct_tight_with_labels, where a foreign mesh tells (KnownLabels::is_foreign): at most so
+  // often the clean-up is done again where what it tells makes the surface touch itself. 0: it
+  // never yields.
   unsigned yield_rounds = 4;
   // reconstruct_tight_with_labels, where something is likely (KnownLabels::likely): if more than
   // this share of those cells lies on the other side of the surface, it is made again with them
@@ -92,7 +93,7 @@ struct ReconstructCounters {
   std::size_t recovered_samples = 0;  // interior by the second phase
   std::size_t candidates = 0;
   std::size_t pruned = 0;
-  std::size_t umbrellas = 0;                  // vertices that passed the safety check
+  std::size_t umbrellas = 0;                  // vertices with an umbrella of candidates
   std::size_t surface_triangles = 0;          // of the Cocone surface
   std::size_t surface_walks = 0;              // connected pieces of the manifold extraction
   std::size_t back_contacts = 0;              // tears of the surface, see extract_manifold.h
@@ -171,7 +172,7 @@ ReconstructResult reconstruct_tight(const Triangulation& triangulation, Points p
 // nothing has changed (known_labels.h), of samples of a solid from its mesh (labels_of_solid.h).
 // Where cells have no good vertex, or marks contradict each other as at walls thinner than the
 // spacing, neither the marking nor the clean-up decides labels that are known otherwise. Those of a
-// mesh of another program (KnownLabels::undisturbed) need not fit: the marking heeds them only if
+// foreign mesh (KnownLabels::is_foreign) need not fit: the marking heeds them only if
 // fewer samples are unused then, or fewer vertices contradicted, and where the surface would touch
 // itself they yield to good vertices (yielded_cells). What is likely (KnownLabels::likely) is taken
 // for known, too, if the surface contradicts it otherwise, and is no rougher then

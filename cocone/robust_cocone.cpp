@@ -29,7 +29,7 @@ class Filter {
       : noise_(noise),
         options_(effective_options(options)),
         execution_(execution),
-        samples_(points, noise, options_.delaunay, execution) {
+        samples_(points, noise, FlatSamples::refused, options_.delaunay, execution) {
     result_.distinct = count_distinct(points, samples_);
   }
 

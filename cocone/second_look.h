@@ -7,11 +7,11 @@
 // disagree about what is inside. With the cocone's radius they are boundary samples, and the
 // clean-up decides. So both surfaces are marked, and the one whose marks contradict each other less
 // often is closed; the first, if nothing comes of the second.
-// Marks that a mesh of another program has told (KnownLabels::undisturbed) may be made again while
+// Marks that a foreign mesh has told (KnownLabels::is_foreign) may be made again while
 // the surface is closed (close_body.h): there both are closed, however many cells are poor, and the
 // second is taken if it contradicts itself less often and costs less.
 //
-// Source: ours, docs/stages/mark_cells.md.
+// Source: ours, docs/stages/second_look.md.
 #pragma once
 
 #include <cstddef>

@@ -59,7 +59,7 @@ class UmbrellaSearch {
     }
   }
 
-  // Who has this one as a partner, too.
+  // The triangles that this one has as partners; it is one of theirs, too.
   template <class Visit>
   void for_each_partner(Halfedge halfedge, Visit visit) const {
     for (Halfedge other = triangles_.links[halfedge]; other != halfedge;

@@ -21,7 +21,7 @@ namespace cocoon {
 // Errors: InputError for a triangle with another vertex.
 // Greatest fixed point: independent of order. Complexity: O(triangles + vertices) for bounded
 // valence; parallel over edges.
-// Source: the safety check of the Tight Cocone program (Dey & Goswami 2003); to find umbrellas
+// Source: the guard of the Tight Cocone program (Dey & Goswami 2003); to find umbrellas
 // without a search is ours.
 VertexSet vertices_with_umbrella(const LinkedFacets& triangles, std::size_t num_vertices,
                                  double sharp_cosine, const Execution& execution = {});

@@ -25,8 +25,9 @@ struct ChoiceOptions {
   double narrow_margin = 30.0 * radians_per_degree;
   // If all regions of a loop have larger means than this, the model turns away from the cloud on
   // both sides of it: the scan ends before it meets the model, and the smallest mean tells nothing.
-  // pi: it always does, as in the paper. Of 336 rims that were right 53 degrees was the largest
-  // mean under the cloud, 92 where clouds were out of register.
+  // pi: it never does so, and the smallest mean always decides, as in the paper. Of 336 rims that
+  // were right 53 degrees was the largest mean under the cloud, 92 where clouds were out of
+  // register.
   double turned_away = 100.0 * radians_per_degree;
   // If samples do not tell then, angles do after all, provided that each region outside has a mean
   // larger than each one under the cloud by at least this (under_by_sure_angles()). Of 235 rims

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,14 +16,16 @@ namespace cocoon {
 
 namespace {
 
-// Of the vertices of the loops; zero for others. The triangles must be oriented.
-IdVector<VertexId, Vec3> normals_at(const std::vector<BoundaryLoop>& loops,
-                                    const TriangleMesh& mesh) {
-  IdVector<VertexId, std::uint8_t> wanted(mesh.points.size(), 0);
+// At the points of all loops, one loop after the other: of the triangles of the loop's part.
+std::vector<Vec3> normals_at(const std::vector<BoundaryLoop>& loops, const TriangleMesh& mesh,
+                             const EdgeComponents& components) {
+  std::vector<VertexOfPart> corners;
   for (const BoundaryLoop& loop : loops) {
-    for (const BoundaryEdge& edge : loop.edges) wanted[edge.from] = 1;
+    for (const BoundaryEdge& edge : loop.edges) {
+      corners.push_back({edge.from, components.component_of[edge.triangle.index()]});
+    }
   }
-  return area_normals(mesh, wanted);
+  return area_normals_of_parts(mesh, components.component_of, corners);
 }
 
 // The same of a loop on a one-sided part, where triangles have no common orientation: of the
@@ -46,17 +49,18 @@ VertexId apex_of(const TriangleMesh& mesh, const BoundaryEdge& edge) {
   return edge.from;
 }
 
-RimLoop make_loop(const TriangleMesh& mesh, const IdVector<VertexId, Vec3>& normals,
+RimLoop make_loop(const TriangleMesh& mesh, std::span<const Vec3> normals,
                   const BoundaryLoop& boundary, bool one_sided) {
   RimLoop loop;
   loop.one_sided = one_sided;
   loop.perimeter = boundary.perimeter;
   loop.component = boundary.component;
+  loop.normals.assign(normals.begin(), normals.end());
   for (const BoundaryEdge& edge : boundary.edges) {
     loop.points.push_back(mesh.points[edge.from]);
     loop.apexes.push_back(mesh.points[apex_of(mesh, edge)]);
-    loop.normals.push_back(normals[edge.from]);
     loop.vertices.push_back(edge.from);
+    loop.triangles.push_back(edge.triangle);
   }
   if (one_sided) take_normals_of_edges(loop);
   return loop;
@@ -85,7 +89,7 @@ CloudRim cloud_rim(const TriangleMesh& surface, const HalfedgeRings& rings,
   const bool flipped = orient_surface(mesh, components).flipped > 0;
   const BoundaryLoops boundary =
       boundary_loops(mesh, flipped ? link_halfedges(mesh) : rings, components, options.loops);
-  const IdVector<VertexId, Vec3> normals = normals_at(boundary.loops, mesh);
+  const std::vector<Vec3> normals = normals_at(boundary.loops, mesh, components);
 
   const auto is_one_sided = [&](const BoundaryLoop& loop) {
     const std::size_t t = loop.edges.front().triangle.index();
@@ -96,14 +100,18 @@ CloudRim cloud_rim(const TriangleMesh& surface, const HalfedgeRings& rings,
   rim.non_orientable = boundary.non_orientable;
   rim.median_edge = boundary.median_edge;
   std::vector<double> edge_lengths;
+  auto of_loop = normals.begin();
   for (const BoundaryLoop& loop : boundary.loops) {
+    const std::span<const Vec3> there(of_loop, loop.edges.size());
+    of_loop += static_cast<std::ptrdiff_t>(loop.edges.size());
+    RimLoop made = make_loop(mesh, there, loop, is_one_sided(loop));
     const double outline = options.min_outline_share * disk_perimeter(loop, boundary.median_edge);
     if (loop.pin_hole && loop.perimeter < outline) {
       ++rim.pin_holes;
-      rim.pin_hole_loops.push_back(make_loop(mesh, normals, loop, is_one_sided(loop)));
+      rim.pin_hole_loops.push_back(std::move(made));
       continue;
     }
-    rim.loops.push_back(make_loop(mesh, normals, loop, is_one_sided(loop)));
+    rim.loops.push_back(std::move(made));
     for (const BoundaryEdge& edge : loop.edges) {
       edge_lengths.push_back(distance(mesh.points[edge.from], mesh.points[edge.to]));
     }

@@ -22,10 +22,12 @@ namespace cocoon {
 struct RimLoop {
   std::vector<Point> points;  // b_i
   std::vector<Point> apexes;  // third corner of the one Cocone triangle at E_i
-  // Unit surface normal at b_i, the zero vector if there is none. The normals of one loop agree
-  // with each other; which of the two sides they show is arbitrary.
+  // Unit surface normal at b_i, of the part of the surface that has E_i; the zero vector if there
+  // is none. The normals of one loop agree with each other; which of the two sides they show is
+  // arbitrary.
   std::vector<Vec3> normals;
-  std::vector<VertexId> vertices;  // b_i as a vertex of the cloud's surface
+  std::vector<VertexId> vertices;     // b_i as a vertex of the cloud's surface
+  std::vector<TriangleId> triangles;  // the one at E_i, of that surface
   double perimeter = 0;
   std::uint32_t component = 0;  // the same number for all loops of one part of the surface
   // Of a one-sided part of the surface: the normals agree from edge to edge, but somewhere the

@@ -8,11 +8,13 @@
 #include "cocone/extract_manifold.h"
 #include "cocone/poles.h"
 #include "cocone/surface_mesh.h"
+#include "delaunay/require_points.h"
 #include "delaunay/voronoi_dual.h"
 #include "geom/arrays/points_of.h"
 #include "geom/errors.h"
 #include "geom/off_plane.h"
 #include "geom/search/thin_points.h"
+#include "geom/spatial_order.h"
 #include "update/cloud/layers.h"
 #include "update/stage_options.h"
 
@@ -294,7 +296,11 @@ void look_at_few_of_dense(const SpacingRange& spacing, const CloudSurfaceOptions
 std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurfaceOptions& options,
                                                 const Execution& execution) {
   require_options("cloud_surface", options);
-  KeptSamples samples{cloud, lay_foundation(cloud, options.reconstruct, execution), {}};
+  require_finite(cloud, execution);
+  // Numbered by place, so that nothing below can depend on the order of the file.
+  const std::vector<PointId> order = hilbert_order(cloud, execution);
+  const std::vector<Point> sorted = points_of(cloud, order);
+  KeptSamples samples{sorted, lay_foundation(sorted, options.reconstruct, execution), {}};
   samples.duplicates = samples.foundation.triangulation.num_duplicates();
   Sheet sheet = find_sheet(samples.foundation, options.start, options, execution);
   const SpacingRange spacing = spacing_range(sheet.surface.mesh);
@@ -318,6 +324,7 @@ std::vector<CloudSurface> ranked_cloud_surfaces(Points cloud, const CloudSurface
   for (CloudSurface& surface : surfaces) {
     surface.duplicates = samples.duplicates;
     surface.spacing = spacing;
+    for (PointId& p : surface.point_of_vertex) p = order[p.index()];
   }
   return surfaces;
 }

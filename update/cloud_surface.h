@@ -134,8 +134,10 @@ struct CloudSurface {
 //    that LayerOptions leave, and the best of all trials is taken.
 // Why: a rim is found iff the gap beyond it is wider than rho times the local feature size. Small
 // rhos find rims of gently curved patches; large ones bear noise and sharp edges.
+// Vertices are numbered along a space-filling curve, so that the surface, rim and all that follows
+// from these are functions of the set of samples, not of their order in the cloud.
 // Errors: as delaunay(), but a flat cloud is none; InputError for options out of range. Complexity:
-// O(n log n) expected. Deterministic as reconstruct_cocone(). Source: Woo & Dey 2005, section 3.2;
+// O(n log n) expected. Deterministic for any thread count. Source: Woo & Dey 2005, section 3.2;
 // ladder and trimming are ours.
 CloudSurface cloud_surface(Points cloud, const CloudSurfaceOptions& options = {},
                            const Execution& execution = {});

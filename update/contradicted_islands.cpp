@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 
+#include "geom/arrays/sort_ids.h"
 #include "geom/id_vector.h"
 #include "geom/messages/require_size.h"
 #include "geom/search/closest_facet.h"
@@ -131,16 +132,26 @@ IdVector<RegionId, std::vector<Point>> contradicted_places(const ModelIndex& mod
   return places;
 }
 
-// Makes the facets of the region near the places a region of its own, unless all are. Returns the
-// region that goes.
-RegionId part_near(const ModelIndex& model, const std::vector<Point>& places, double reach,
+// What one cloud has against a region: what is this near to these places goes.
+struct Contradiction {
+  RegionId region;
+  NearestPointTree places;
+  double reach = 0;
+};
+
+// Makes the facets of the region near the places of some contradiction of it a region of its own,
+// unless all are. Returns the region that goes.
+RegionId part_near(const ModelIndex& model, std::span<const Contradiction> contradictions,
                    RegionId region, Regions& regions) {
-  const NearestPointTree tree(places);
   std::vector<TriangleId> near;
+  const auto is_near = [&](TriangleId t) {
+    return std::any_of(contradictions.begin(), contradictions.end(), [&](const Contradiction& c) {
+      return c.region == region && c.places.any_near(model.centroid(t), c.reach);
+    });
+  };
   regions.region_of_facet.visit_where([&](RegionId r) { return r == region; },
                                       [&](TriangleId t) {
-                                        if (tree.any_near(model.centroid(t), reach))
-                                          near.push_back(t);
+                                        if (is_near(t)) near.push_back(t);
                                       });
   if (near.empty() || near.size() == regions.regions[region].facets) return region;
   const RegionId part(regions.regions.size());
@@ -173,15 +184,11 @@ std::vector<ContradictedIsland> part_contradicted_islands(
   require_size("part_contradicted_islands", "scans", scans.size(), choice.clouds.size());
   require_size("part_contradicted_islands", "facets of the regions", regions.region_of_facet.size(),
                model.mesh().triangles.size());
-  std::vector<ContradictedIsland> found;
   const RegionId largest = largest_kept_region(regions, choice);
-  const std::size_t before = regions.regions.size();
+  std::vector<Contradiction> contradictions;
+  std::vector<RegionId> contradicted;
   for (std::size_t c = 0; c < scans.size(); ++c) {
-    std::vector<RegionId> islands = islands_seen(choice.clouds[c], choice, largest);
-    std::erase_if(islands, [&](RegionId r) {
-      return std::any_of(found.begin(), found.end(),
-                         [&](const ContradictedIsland& island) { return island.region == r; });
-    });
+    const std::vector<RegionId> islands = islands_seen(choice.clouds[c], choice, largest);
     if (islands.empty()) continue;
     const IdVector<RegionId, std::vector<Point>> places = contradicted_places(
         model, regions, scans[c], outward ? outward(c) : std::vector<Outward>(), islands, options);
@@ -189,9 +196,15 @@ std::vector<ContradictedIsland> part_contradicted_islands(
       const auto count = static_cast<double>(places[r].size());
       const double limit = options.min_share * static_cast<double>(regions.regions[r].facets);
       if (places[r].size() < options.min_samples || count <= limit) continue;
-      const double reach = options.reach * scans[c].spacing;
-      found.push_back({r, part_near(model, places[r], reach, r, regions)});
+      contradictions.push_back({r, NearestPointTree(places[r]), options.reach * scans[c].spacing});
+      contradicted.push_back(r);
     }
+  }
+  make_set(contradicted);
+  const std::size_t before = regions.regions.size();
+  std::vector<ContradictedIsland> found;
+  for (const RegionId r : contradicted) {
+    found.push_back({r, part_near(model, contradictions, r, regions)});
   }
   if (regions.regions.size() > before) count_and_group(model, regions);
   return found;

@@ -44,15 +44,17 @@ struct ContradictedIsland {
 // The regions that stay by `choice`, border on the rim of a cloud, and are contradicted by its
 // samples; never the largest region that stays. What of such a region is far from all places over
 // or under which samples lie, in the shadow of a boss, still stays: then the other part becomes a
-// region of its own, behind the others. Why: from one side a scanner sees the floor of a pocket,
-// but not its walls, and the top of a boss, but not its foot. Then the loop around the mouth lies
-// on the model as that around a hole in the scan does, and what is inside would stay, over the
-// floor or in the boss. Floor and top face as the region does. A sample that faces the region, as
-// on the lower side of an arch, shows that there is room between: it contradicts nothing, nor does
-// what lies behind it. Without `outward` nobody knows which way samples face. scans[c] belongs to
-// choice.clouds[c]. Errors: InputError for parts of another model, by their sizes, and for options
-// out of range. Complexity: O(regions) if no such region stays; else O(samples log(samples)), what
-// NearFacets takes and, for the parts, O(triangles + vertices). Deterministic. Source: ours.
+// region of its own, behind the others. Each cloud contradicts by itself, and what goes of a region
+// is near such places of any that does. Result: by region. Why: from one side a scanner sees the
+// floor of a pocket, but not its walls, and the top of a boss, but not its foot. Then the loop
+// around the mouth lies on the model as that around a hole in the scan does, and what is inside
+// would stay, over the floor or in the boss. Floor and top face as the region does. A sample that
+// faces the region, as on the lower side of an arch, shows that there is room between: it
+// contradicts nothing, nor does what lies behind it. Without `outward` nobody knows which way
+// samples face. scans[c] belongs to choice.clouds[c]. Errors: InputError for parts of another
+// model, by their sizes, and for options out of range. Complexity: O(regions) if no such region
+// stays; else O(samples log(samples)), what NearFacets takes and, for the parts, O(triangles +
+// vertices). Deterministic. Source: ours.
 std::vector<ContradictedIsland> part_contradicted_islands(
     const ModelIndex& model, const RegionChoice& choice, std::span<const Scan> scans,
     Regions& regions, const IslandOptions& options = {}, const OutwardNormals& outward = {});

@@ -108,10 +108,11 @@ struct RegionCut {
 //     have a few facets say "outside" in the midst of it: the splinters.
 // `rims`: of one cloud, or of several that overlap each other and are cut as one. `scans`: their
 // samples; without them steps 4 and 5 are left out. `outward`: of the samples, by the number of the
-// scan; without it step 3 is left out. Why: docs/update.md, departure 16. Errors: InputError for no
-// rim, for the border of another model, by its size, and for options out of range. Complexity: that
-// of a minimum cut of n facets, near linear. Deterministic: lengths are compared as integers, and
-// the labels are unique. Source: ours; Woo & Dey 2005, section 3.4 presumes rims that are closed.
+// scan; without it step 3 is left out. Why: docs/departures.md, departure 16. Errors: InputError
+// for no rim, for the border of another model, by its size, and for options out of range.
+// Complexity: that of a minimum cut of n facets, near linear. Deterministic: lengths are compared
+// as integers, and the labels are unique. Source: ours; Woo & Dey 2005, section 3.4 presumes rims
+// that are closed.
 RegionCut cut_under_cloud(const ModelIndex& model, const TriangleSet& border,
                           std::span<const CloudRim> rims, std::span<const Scan> scans = {},
                           const CutOptions& options = {}, const OutwardNormals& outward = {});

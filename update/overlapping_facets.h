@@ -20,7 +20,7 @@ enum class LocationRule {
   // there is one hardly farther away (facing_preference). Default.
   closest_facet,
   // The paper's: of the facets at the nearest model vertex, the one that contains the projection;
-  // where there is none, closest_facet. Goes wrong where facets are long (see docs/update.md).
+  // where there is none, closest_facet. Goes wrong where facets are long (see docs/departures.md).
   nearest_vertex_star,
 };
 

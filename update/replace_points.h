@@ -43,7 +43,8 @@ Replacement replace_points(const ModelIndex& model, ReplacedVertices vertices,
                            std::span<const SampleFlags> left_out = {});
 
 // The same with those of replaced_vertices(). `added`: what comes in, the samples of `clouds` in
-// the order wanted.
+// the order wanted. It is another list than `clouds` only where several clouds are taken as one
+// (joined_clouds.h): `clouds` has those that were joined, `added` those that were given.
 // Errors: those of both. Complexity: O(n) for n points and triangles, and a search per border
 // vertex.
 Replacement replace_points(const ModelIndex& model, const Regions& regions,

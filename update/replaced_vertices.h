@@ -34,18 +34,17 @@ struct SaidVertices {
 struct ReplacedVertices {
   std::vector<VertexId> removed;  // replaced, thinned out, or not used by a triangle; ascending
 
-  std::size_t kept = 0;               // model vertices, with border vertices
-  std::size_t replaced = 0;           // model vertices, with border vertices
-  std::size_t border_kept = 0;        // of those without a group: outside the rim
-  std::size_t border_replaced = 0;    // and under the cloud
-  std::size_t enclosed_replaced = 0;  // of these, as ReplaceOptions::enclosed_go
-  // Of these and of those with a group, decided otherwise because of the samples around them.
-  std::size_t scanned_replaced = 0;
-  std::size_t unscanned_kept = 0;
-  std::size_t overlooked = 0;  // replaced since they were said to be,
-  std::size_t unchanged = 0;   // or kept
-  std::size_t thinned = 0;
-  std::size_t unused_vertices = 0;  // of the model: in no triangle
+  std::size_t kept = 0;               // of all vertices of the model
+  std::size_t replaced = 0;           // of all
+  std::size_t border_kept = 0;        // of those without a group: they lie outside the rim
+  std::size_t border_replaced = 0;    // of those without a group: they lie under the cloud
+  std::size_t enclosed_replaced = 0;  // of border_replaced, by ReplaceOptions::enclosed_go
+  std::size_t scanned_replaced = 0;   // replaced only because a sample is close to them
+  std::size_t unscanned_kept = 0;     // kept only because no sample is close to them
+  std::size_t overlooked = 0;         // replaced only because of SaidVertices::go
+  std::size_t unchanged = 0;          // kept only because of SaidVertices::stay
+  std::size_t thinned = 0;            // dropped by ReplaceOptions::thinning_distance
+  std::size_t unused_vertices = 0;    // of the model: in no triangle
 };
 
 // The vertices of replaced groups. A vertex without a group goes if all regions around it go, and

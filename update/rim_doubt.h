@@ -25,7 +25,7 @@ struct RimDoubt {
 // Of the cut by this rim alone. `overlap`: of the rim; loops that are not on the model have no part
 // in it. `samples`: of its cloud; they are not asked for what they show.
 // Errors: as trace_border() and cut_under_cloud(). Complexity: that of both. Source: ours,
-// docs/update.md.
+// docs/departures.md.
 RimDoubt rim_doubt(const ModelIndex& model, Points samples, CloudRim rim, const Overlap& overlap,
                    const TraceOptions& trace = {}, const CutOptions& cut = {},
                    const Execution& execution = {});

@@ -22,7 +22,8 @@ class Strays {
  public:
   Strays(Points cloud, const StrayOptions& options, const DelaunayOptions& delaunay_options,
          const Execution& execution)
-      : options_(options), samples_(cloud, noise_of(options), delaunay_options, execution) {}
+      : options_(options),
+        samples_(cloud, noise_of(options), FlatSamples::moved, delaunay_options, execution) {}
 
   StraySamples run() {
     // Small parts first: beside a dense one a good sample would stand alone. And again after the

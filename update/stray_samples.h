@@ -35,11 +35,11 @@ struct StraySamples {
 
 // Leaves out small parts, then outliers in rounds (outlier_rounds.h), then the small parts of the
 // rest; the largest part stays, however small. What lies in a layer of noise stays, too: an open
-// patch has no inside (docs/update.md, departure 18). Progress: "noise/...". Errors: InputError as
-// delaunay(), if what is left does not span space, and for options out of range.
-// Complexity: O(n log n) expected, besides the rounds. Deterministic: a
-// function of the set of points. Source: outliers as in cocone/noise_filter.h; small parts are
-// ours.
+// patch has no inside (docs/departures.md, departure 18). What is flat, or is without the strays,
+// is looked at just off its plane (off_plane.h). Progress: "noise/...". Errors: InputError as
+// delaunay(), but for samples in one plane; if what is left lies on one line; and for options out
+// of range. Complexity: O(n log n) expected, besides the rounds. Deterministic: a function of the
+// set of points. Source: outliers as in cocone/noise_filter.h; small parts are ours.
 StraySamples stray_samples(Points cloud, const StrayOptions& options = {},
                            const DelaunayOptions& delaunay_options = {},
                            const Execution& execution = {});

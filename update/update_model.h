@@ -52,40 +52,47 @@
 
 namespace cocoon {
 
+// By the steps that ask them; numbers are departures from the paper (docs/departures.md).
 struct UpdateOptions {
-  JoinOptions join;  // of clouds that overlap each other
-  CloudSurfaceOptions cloud;
-  PinHoleOptions pin_holes;
-  WallEdgeOptions walls;
-  OverlapOptions overlap;
-  ShadowOptions shadow;
-  TraceOptions trace;
-  SegmentOptions segment;
-  SharedEdgeOptions shared;
-  OutwardOptions outward;
-  CutOptions cut;  // of partial rims, and across handles
-  AngleOptions angles;
-  ChoiceOptions choice;
-  SampledRegionOptions sampled;
-  IslandOptions islands;
-  RegionOverrides overrides;  // of one update alone: a session's are given with its clouds
-  SightOptions sight;
-  ReplaceOptions replace;
-  OverlookedOptions overlooked;
-  UnchangedRestOptions unchanged;
-  UnscannedOptions unscanned;
-  UnusedChangeOptions unused_changes;
-  ContradictedOptions contradicted;
-  ClosedOpeningOptions openings;
-  CrowdedOptions crowded;
-  ShiftOptions shift;
+  // Boundary detection.
+  JoinOptions join;           // of clouds that overlap each other (10)
+  CloudSurfaceOptions cloud;  // surface and rim of each (3, 4, 5, 19, 25, 30)
+  // Overlapping facets.
+  PinHoleOptions pin_holes;  // small holes through which the model goes on (15)
+  WallEdgeOptions walls;     // new edges of thin walls are no rims (32)
+  OverlapOptions overlap;    // which facet lies under a rim point (6, 12, 26)
+  ShadowOptions shadow;      // rims that are off the model part of the way (34)
+  TraceOptions trace;        // from one rim point to the next (7)
+  // Segmentation.
+  SegmentOptions segment;    // by the border
+  SharedEdgeOptions shared;  // rim edges beyond which another cloud goes on (10)
+  OutwardOptions outward;    // which way the surface of a cloud faces
+  CutOptions cut;            // of partial rims, and across handles (13, 16, 17, 31, 35)
+  // Selection.
+  AngleOptions angles;           // between cloud and model at the rim
+  ChoiceOptions choice;          // by angles (9, 33)
+  SampledRegionOptions sampled;  // by samples, where angles do not tell (33)
+  IslandOptions islands;         // regions inside a scan that its samples contradict (27)
+  RegionOverrides overrides;     // of one update alone: a session's are given with its clouds
+  // Reconstruction.
+  ReplaceOptions replace;          // vertices without a region, and at the rim (11)
+  OverlookedOptions overlooked;    // vertices that stay amid new samples (3, 36)
+  UnchangedRestOptions unchanged;  // what goes although it was neither scanned nor changed (37)
+  SightOptions sight;              // what samples saw through (24)
+  CrowdedOptions crowded;          // samples in layers (25)
   ReconstructOptions reconstruct;  // of the updated model: the defaults for closed models
+  // What is told of the result.
+  UnscannedOptions unscanned;          // what went though nothing was scanned there (21)
+  UnusedChangeOptions unused_changes;  // what was scanned and is not on the surface (28)
+  ContradictedOptions contradicted;    // samples that contradict each other (29)
+  ClosedOpeningOptions openings;       // openings of the model that are closed
+  ShiftOptions shift;                  // scans that are moved off the model (23)
 };
 
 // As near to the paper as options go: surfaces of clouds and model in Mode::paper, rim points
 // located among the facets at the nearest vertex, no long edges trimmed, no samples set aside (in
 // rows of a scanner, where they are dense, in layers), sides of rims told by angles alone. Every
-// other departure stays (docs/update.md, "With --mode paper").
+// other departure stays (docs/departures.md, "With --mode paper").
 UpdateOptions paper_update_options();
 
 struct UpdateResult {
@@ -133,7 +140,7 @@ struct UpdateResult {
 // [2^-200, 2^200], options out of range (stage_options.h). Complexity: O(n log n) expected for n
 // points in all. Deterministic for any thread count; the order of model and clouds matters for
 // numbering only, and of several clouds that fail alike the first is named. Source: Woo & Dey 2005,
-// section 3. What is decided otherwise and why: docs/update.md.
+// section 3. What is decided otherwise and why: docs/departures.md.
 UpdateResult update_model(const TriangleMesh& model, std::span<const std::vector<Point>> clouds,
                           const UpdateOptions& options = {}, const Execution& execution = {});
 

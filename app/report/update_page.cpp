@@ -313,8 +313,7 @@ class SceneBuilder {
       model_and_clouds.push_back(fmt::format("cloud-{}$", c));
       rims.push_back(fmt::format("cloud-{}-loops$", c));
     }
-    add_stage("Model and cloud", "The closed model and the scan of what has changed.",
-              model_and_clouds);
+    add_stage("Model and cloud", "The model and the scan of what has changed.", model_and_clouds);
     add_stage("Boundary",
               "The boundary loops of the cloud (red), and the facets on which they lie (yellow).",
               rims);

@@ -1,5 +1,6 @@
 #include "cocone/noise/outlier_rounds.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -26,8 +27,9 @@ std::vector<VertexId> flagged(const VertexSet& set) {
 class Rounds {
  public:
   Rounds(Triangulation triangulation, IdVector<VertexId, double> spacing, const VertexSet& spared,
-         const NoiseOptions& options, const Execution& execution)
+         const NoiseOptions& options, FlatSamples flat, const Execution& execution)
       : options_(options),
+        flat_(flat),
         execution_(execution),
         spared_(spared),
         told_(spared.size(), 0),
@@ -42,7 +44,12 @@ class Rounds {
       if (now.empty()) return result;
       for (const VertexId v : now) result.out[v] = 1;
       result.count += now.size();
-      now = outliers_at(remove(now, result.count).created);
+      const std::optional<DelaunayChange> change = remove(now, result.count);
+      if (!change) {
+        result.is_flat = true;
+        return result;
+      }
+      now = outliers_at(change->created);
     }
   }
 
@@ -58,11 +65,12 @@ class Rounds {
     return spared;
   }
 
-  // `count`: all outliers so far, for the message.
-  DelaunayChange remove(std::span<const VertexId> outliers, std::size_t count) {
+  // None if what is left is flat. `count`: all outliers so far, for the message.
+  std::optional<DelaunayChange> remove(std::span<const VertexId> outliers, std::size_t count) {
     try {
       return delaunay_.remove(outliers, execution_);
     } catch (const DegenerateInput&) {
+      if (flat_ == FlatSamples::moved) return {};
       throw DegenerateInput(
           "without " + std::to_string(count) +
           " outliers all points lie in one plane: no surface; a larger outlier ratio "
@@ -105,6 +113,7 @@ class Rounds {
   }
 
   const NoiseOptions& options_;
+  FlatSamples flat_;
   const Execution& execution_;
   const VertexSet& spared_;
   VertexSet told_;  // 1 = spared, and an outlier of some round
@@ -117,8 +126,9 @@ class Rounds {
 
 OutlierRounds outlier_rounds(Triangulation triangulation, IdVector<VertexId, double> spacing,
                              const VertexSet& first, const VertexSet& spared,
-                             const NoiseOptions& options, const Execution& execution) {
-  return Rounds(std::move(triangulation), std::move(spacing), spared, options, execution)
+                             const NoiseOptions& options, FlatSamples flat,
+                             const Execution& execution) {
+  return Rounds(std::move(triangulation), std::move(spacing), spared, options, flat, execution)
       .run(first);
 }
 

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "cocone/noise/outlier_rounds.h"
+#include "geom/off_plane.h"
 #include "geom/working_scale.h"
 
 namespace cocoon {
 
-RemainingSamples::RemainingSamples(Points points, const NoiseOptions& noise,
+RemainingSamples::RemainingSamples(Points points, const NoiseOptions& noise, FlatSamples flat,
                                    const DelaunayOptions& options, const Execution& execution)
     : noise_(noise),
+      flat_(flat),
       options_(options),
       execution_(execution),
       points_(points.begin(), points.end()),
@@ -20,12 +21,15 @@ RemainingSamples::RemainingSamples(Points points, const NoiseOptions& noise,
 }
 
 void RemainingSamples::triangulate() {
+  const std::vector<Point> moved =
+      flat_ == FlatSamples::moved ? moved_off_plane(points_) : std::vector<Point>();
+  const Points points = moved.empty() ? Points(points_) : Points(moved);
   // Each time: what has gone may have been far off, and the rest so small beside it that squares of
   // lengths vanished.
-  scale_ = working_scale(points_);
-  const std::vector<Point> copy = scale_ != 1 ? scaled(points_, scale_) : std::vector<Point>();
+  scale_ = working_scale(points);
+  const std::vector<Point> copy = scale_ != 1 ? scaled(points, scale_) : std::vector<Point>();
   triangulation_ =
-      delaunay(scale_ != 1 ? Points(copy) : Points(points_), options_, execution_).triangulation;
+      delaunay(scale_ != 1 ? Points(copy) : points, options_, execution_).triangulation;
   stars_ = vertex_stars(triangulation_, execution_);
   spacing_ = sample_spacing(triangulation_, stars_, noise_.neighbors, execution_);
 }
@@ -66,10 +70,16 @@ RemainingSamples::Outliers RemainingSamples::leave_out_outliers(const VertexSet&
   }
   const IdVector<PointId, VertexId> vertex_of_point = triangulation_.vertex_of_point();
   const OutlierRounds outliers = outlier_rounds(std::move(triangulation_), std::move(spacing_),
-                                                first, spared, noise_, execution_);
+                                                first, spared, noise_, flat_, execution_);
   leave_out(outliers.out, vertex_of_point);
   triangulate();
-  return {outliers.count, outliers.spared, outliers.rounds};
+  Outliers all{outliers.count, outliers.spared, outliers.rounds};
+  if (outliers.is_flat) {
+    const Outliers in_plane = leave_out_outliers(this->outliers());
+    all.count += in_plane.count;
+    all.rounds += in_plane.rounds;
+  }
+  return all;
 }
 
 }  // namespace cocoon

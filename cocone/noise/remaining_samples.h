@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cocone/noise/outlier_rounds.h"
 #include "cocone/noise_filter.h"
 #include "delaunay/delaunay.h"
 #include "delaunay/vertex_stars.h"
@@ -17,9 +18,9 @@ namespace cocoon {
 class RemainingSamples {
  public:
   // Of `noise` counts what tells outliers: neighbors and outlier_ratio. Triangulates all points.
-  // Errors: InputError as delaunay().
-  RemainingSamples(Points points, const NoiseOptions& noise, const DelaunayOptions& options,
-                   const Execution& execution);
+  // Errors: InputError as delaunay(), but flat ones are none if they are to be moved.
+  RemainingSamples(Points points, const NoiseOptions& noise, FlatSamples flat,
+                   const DelaunayOptions& options, const Execution& execution);
 
   // Of the samples that remained when they were last triangulated, times their working scale, with
   // the cells at each and its spacing (sample_spacing by noise.neighbors).
@@ -35,7 +36,8 @@ class RemainingSamples {
   // Leaves out the points at these vertices; before anything else is left out, triangulate().
   // Complexity: O(points).
   void leave_out(const VertexSet& out);
-  // Triangulates what remains. Errors: DegenerateInput if that does not span space.
+  // Triangulates what remains. Errors: DegenerateInput if that does not span space, unless it is
+  // flat and to be moved.
   void triangulate();
 
   // 1 = outlier (outlier_samples) of the samples when they were last triangulated.
@@ -46,14 +48,15 @@ class RemainingSamples {
     std::size_t rounds = 1;
   };
   // Leaves out the first outliers, as from outliers(), and others until there are none, but none of
-  // those with spared[v] = 1 (outlier_rounds.h); and triangulates again if any went. Errors:
-  // DegenerateInput if what is left does not span space.
+  // those with spared[v] = 1 (outlier_rounds.h); and triangulates again if any went. Errors: as
+  // triangulate(). Precondition: none is spared if flat samples are to be moved.
   Outliers leave_out_outliers(const VertexSet& first, const VertexSet& spared = {});
 
  private:
   void leave_out(const VertexSet& out, const IdVector<PointId, VertexId>& vertex_of_point);
 
   NoiseOptions noise_;
+  FlatSamples flat_;
   DelaunayOptions options_;
   Execution execution_;
   std::vector<Point> points_;    // that remain, as given

@@ -33,7 +33,7 @@ inline constexpr LabelsOfSolidOptions labels_of_crossing_cells = {CellPlaces::ce
 // closed (balanced: mesh_check.h).
 // Throws InputError as signed_distances() and for a depth that is negative or no number; Cancelled.
 // Complexity: O((t + n) log t) for t triangles and n cells. Deterministic for any thread count.
-// Source: ours, docs/stages/mark_cells.md.
+// Source: ours, docs/stages/labels_of_solid.md.
 KnownLabels labels_of_solid(const Triangulation& triangulation, const SolidDistances& solid,
                             const LabelsOfSolidOptions& options = {},
                             const Execution& execution = {});

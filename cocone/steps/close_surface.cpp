@@ -46,7 +46,7 @@ class ToldLabels {
   // Whether links of the surface are needed where what was told is heeded.
   bool needs_links() const { return told_ && cocoon::needs_links(*told_); }
   // Whether a mesh that is none of ours has told them.
-  bool is_by_others() const { return told_ && !told_->undisturbed.empty(); }
+  bool is_by_others() const { return told_ && told_->is_foreign(); }
 
  private:
   KnownLabelsSource known_;

@@ -1,5 +1,5 @@
-// An update stage by stage, in the order of Woo & Dey 2005, section 3, of one cloud whose rim is
-// whole. update_model does the same in one call, and what rims that are not need.
+// An update stage by stage, in the order of Woo & Dey 2005, section 3: one cloud, whose rim is
+// complete. update_model does this in one call, and handles incomplete rims, too.
 #include <cstdio>
 #include <numbers>
 #include <vector>

@@ -82,10 +82,10 @@ std::string paragraphs_on_options(const std::string& page) {
 
 class Lookup {
  public:
-  // A page of a stage means the structs of the headers that it names; docs/update.md, which names
-  // all, only UpdateOptions, and what it says before a colon.
+  // A page of a stage means the structs of the headers that it names; those of the update,
+  // which name all, only UpdateOptions, and what they say before a colon.
   Lookup(const Headers& headers, const fs::path& document) : headers_(headers) {
-    if (document.filename() != "update.md") {
+    if (document.filename() != "update.md" && document.filename() != "departures.md") {
       for (const std::string& header : matches(text_of(document), "`([a-z_/]+\\.h)`")) {
         const auto found = headers.in_header.find(header);
         if (found == headers.in_header.end()) continue;

@@ -1,6 +1,8 @@
 #include "update/contradicted_islands.h"
 
+#include <cstddef>
 #include <gtest/gtest.h>
+#include <utility>
 #include <vector>
 
 #include "tests/update/hand_made_models.h"
@@ -181,6 +183,38 @@ TEST(ContradictedIslands, OfTwoScansGoOnce) {
   scene.choice.clouds.push_back(scene.choice.clouds[0]);
   const Scan scans[] = {{scene.samples, 1}, {scene.samples, 1}};
   EXPECT_EQ(part_contradicted_islands(scene.model, scene.choice, scans, scene.regions).size(), 1U);
+}
+
+// One lies over one end of the island, one over the other: what goes is near either, whichever
+// comes first.
+TEST(ContradictedIslands, OfTwoScansAtTwoEndsBothGo) {
+  const auto facets_that_go = [](double first, double second) {
+    RingOnABlock scene(4);
+    scene.choice.clouds.push_back(scene.choice.clouds[0]);
+    const auto at_end = [&](double side) {
+      std::vector<Point> samples;
+      for (const Point& p : scene.samples) {
+        if (p.z > 5 || side * (p.x - 10) > 1) samples.push_back(p);
+      }
+      return samples;
+    };
+    const std::vector<Point> clouds[] = {at_end(first), at_end(second)};
+    const Scan scans[] = {{clouds[0], 0.5}, {clouds[1], 0.5}};
+    const auto found = part_contradicted_islands(scene.model, scene.choice, scans, scene.regions,
+                                                 {.min_share = 0.05, .reach = 2});
+    EXPECT_EQ(found.size(), 1U);
+    std::size_t west = 0;
+    std::size_t east = 0;
+    for (const TriangleId t : scene.block.triangles.ids()) {
+      if (scene.regions.region_of_facet[t] != found.front().part) continue;
+      ++(scene.model.centroid(t).x < 10 ? west : east);
+    }
+    return std::pair(west, east);
+  };
+  const auto [west, east] = facets_that_go(-1, 1);
+  EXPECT_GT(west, 0U);
+  EXPECT_GT(east, 0U);
+  EXPECT_EQ(facets_that_go(1, -1), std::pair(west, east));
 }
 
 // The second cloud did not see the region.

@@ -192,9 +192,37 @@ TEST(StraySamples, ProgressIsOfNoise) {
   EXPECT_TRUE(stages.all_of_noise);
 }
 
+// As that of a face from which a boss was taken off.
+TEST(StraySamples, AFlatPatchStaysAndLosesItsStrays) {
+  std::vector<Point> cloud;
+  Random random(4);
+  for (int i = 0; i < 20; ++i) {
+    for (int k = 0; k < 20; ++k) {
+      cloud.push_back({i + 0.3 * random.uniform(), k + 0.3 * random.uniform(), 7});
+    }
+  }
+  const std::size_t good = cloud.size();
+  EXPECT_EQ(stray_samples(cloud).kept.raw(), first_kept(good, good));
+
+  cloud.push_back(
+      {5, 5, 30});  // without it and the next the rest is flat, and has an outlier itself
+  cloud.push_back({12, 3, -20});
+  cloud.push_back({40, 40, 7});
+  const StraySamples strays = stray_samples(cloud);
+  EXPECT_EQ(strays.kept.raw(), first_kept(good, cloud.size()));
+  EXPECT_EQ(strays.outliers + strays.in_small_parts, 3U);
+
+  // Outliers alone, in rounds: the one in the plane comes after the others.
+  const StraySamples outliers = stray_samples(cloud, {.min_part = 0});
+  EXPECT_EQ(outliers.kept.raw(), first_kept(good, cloud.size()));
+  EXPECT_EQ(outliers.outliers, 3U);
+}
+
 TEST(StraySamples, TooFewPointsAreAnError) {
-  const std::vector<Point> flat = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
-  EXPECT_THROW(stray_samples(flat), InputError);
+  const std::vector<Point> few = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_THROW(stray_samples(few), InputError);
+  const std::vector<Point> on_a_line = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {5, 0, 0}};
+  EXPECT_THROW(stray_samples(on_a_line), InputError);
 }
 
 }  // namespace

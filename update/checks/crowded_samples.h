@@ -54,7 +54,7 @@ struct CrowdedSamples {
 // detail would miss. `removed`: the vertices that went; `joined`: all of `clouds`, each in one of
 // them, or none if each is by itself. Complexity: O(n log n) for n samples. Deterministic; the
 // samples of a cloud may have any order. Errors: InputError for options out of range, and for
-// vertices and clouds that are not there. Source: ours, docs/update.md, departure 25.
+// vertices and clouds that are not there. Source: ours, docs/departures.md, departure 25.
 CrowdedSamples crowded_samples(const ModelIndex& model, std::span<const VertexId> removed,
                                std::span<const JoinedCloud> joined,
                                std::span<const std::vector<Point>> clouds,

@@ -17,32 +17,49 @@ namespace cocoon {
 
 namespace {
 
+// Cosines whose sum is not more than so much for each of them are nothing but rounding.
+constexpr double rounding_of_cosine = 1e-12;
+
+// A point of the rim on the model, as a corner of the part that ends there.
+struct RimCorner {
+  VertexOfPart corner;
+  TriangleId facet;  // of the model
+};
+
+std::vector<RimCorner> corners_on_model(const EdgeComponents& parts, const CloudRim& rim,
+                                        const Overlap& overlap) {
+  std::vector<RimCorner> corners;
+  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
+    if (overlap.loops[l].match != LoopMatch::on_model) continue;
+    const RimLoop& loop = rim.loops[l];
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const TriangleId facet = overlap.loops[l].facets[i];
+      const std::uint32_t part = parts.component_of[loop.triangles[i].index()];
+      if (!facet.is_none()) corners.push_back({{loop.vertices[i], part}, facet});
+    }
+  }
+  return corners;
+}
+
 // For each part of an oriented surface 1 if it faces as the model does, -1 if the other way, 0 if
 // that is not known.
 std::vector<int> ways_of_parts(const ModelIndex& model, const TriangleMesh& mesh,
                                const EdgeComponents& parts, const CloudRim& rim,
                                const Overlap& overlap) {
-  IdVector<VertexId, std::uint32_t> part_at(mesh.points.size(), 0);  // of a triangle there
-  for (const TriangleId t : mesh.triangles.ids()) {
-    for (const VertexId v : mesh.triangles[t]) part_at[v] = parts.component_of[t.index()];
-  }
-  IdVector<VertexId, std::uint8_t> on_rim(mesh.points.size(), 0);
-  for (const RimLoop& loop : rim.loops) {
-    for (const VertexId v : loop.vertices) on_rim[v] = 1;
-  }
-  const IdVector<VertexId, Vec3> normals = area_normals(mesh, on_rim);
+  const std::vector<RimCorner> rim_corners = corners_on_model(parts, rim, overlap);
+  std::vector<VertexOfPart> corners;
+  for (const RimCorner& at : rim_corners) corners.push_back(at.corner);
+  const std::vector<Vec3> normals = area_normals_of_parts(mesh, parts.component_of, corners);
   std::vector<double> votes(parts.components.size(), 0);
-  for (std::size_t l = 0; l < rim.loops.size(); ++l) {
-    if (overlap.loops[l].match != LoopMatch::on_model) continue;
-    for (std::size_t i = 0; i < rim.loops[l].size(); ++i) {
-      const TriangleId facet = overlap.loops[l].facets[i];
-      const VertexId v = rim.loops[l].vertices[i];
-      if (!facet.is_none()) votes[part_at[v]] += dot(normals[v], model.normal(facet));
-    }
+  std::vector<double> voters(parts.components.size(), 0);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    votes[corners[k].part] += dot(normals[k], model.normal(rim_corners[k].facet));
+    ++voters[corners[k].part];
   }
   std::vector<int> ways;
   for (std::size_t k = 0; k < votes.size(); ++k) {
-    const int way = votes[k] > 0 ? 1 : votes[k] < 0 ? -1 : 0;
+    const double least = rounding_of_cosine * voters[k];
+    const int way = votes[k] > least ? 1 : votes[k] < -least ? -1 : 0;
     ways.push_back(parts.components[k].is_contradictory ? 0 : way);
   }
   return ways;

@@ -12,14 +12,14 @@ namespace cocoon {
 double larger_spacing(const ModelIndex& model, const CloudRim& rim, TriangleId facet);
 
 // Fills in OverlapFigures::largest_excess. Precondition: the median distance, facets and feet are
-// known. Complexity: O(rim). Source: ours, docs/update.md, departure 23.
+// known. Complexity: O(rim). Source: ours, docs/departures.md, departure 23.
 void measure_excess(const ModelIndex& model, const CloudRim& rim, Overlap& overlap);
 
 // Fills in LoopOverlap::is_outline and raised: points of outlines that are farther from the model,
 // by `raised_distance` larger spacings, than the longest loop of all is in the median; points of
 // other loops that are so much farther than that and than the outline of their part of the surface;
 // and points without a facet. Precondition as above. Complexity: O(rim log rim). Source: ours,
-// docs/update.md, departure 26.
+// docs/departures.md, departure 26.
 void count_raised(const ModelIndex& model, const CloudRim& rim, double raised_distance,
                   Overlap& overlap);
 

@@ -14,7 +14,7 @@ OldSurface KeptSurface::told() const {
   told.labels = [this](const Triangulation& triangulation, const FacetSet& surface,
                        const Execution& execution) {
     KnownLabels known = known_labels(triangulation, triangles(), surface, execution);
-    if (!known.undisturbed.empty()) tell_by_model(triangulation, known, execution);
+    if (known.is_foreign()) tell_by_model(triangulation, known, execution);
     if (seen_) seen_(triangulation, known, execution);
     return known;
   };

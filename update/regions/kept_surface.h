@@ -29,8 +29,9 @@ class KeptSurface {
         replacement_(replacement),
         seen_(std::move(seen)) {}
 
-  // As the stages want it told; refers to this object. Undisturbed cells (known_labels.h) are on
-  // the side of the whole model on which they lie, unless triangles at a corner tell otherwise.
+  // The old surface as a source of labels for reconstruct_tight_with_labels(); refers to this
+  // object. Undisturbed cells (known_labels.h) are on the side of the whole model on which they
+  // lie, unless triangles at a corner tell otherwise.
   OldSurface told() const;
 
   // All of them. Complexity: O(t).

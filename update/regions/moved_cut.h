@@ -30,7 +30,7 @@ struct MovedCutOptions {
 // wrong.)
 // Errors: InputError for options out of range, and for labels of another model, by their size.
 // Complexity: O(facets of the model) for flags, and what unconfirmed_facets() and facet_cut() take
-// for the facets near the cut. Deterministic. Source: ours, docs/update.md, departure 35.
+// for the facets near the cut. Deterministic. Source: ours, docs/departures.md, departure 35.
 TriangleSet moved_cut(const ModelIndex& model, const TriangleSet& border,
                       std::span<const FacetPull> pulls, double steps_per_unit, TriangleSet source,
                       std::span<const Scan> scans, const MovedCutOptions& options = {});

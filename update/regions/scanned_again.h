@@ -15,8 +15,8 @@ namespace cocoon {
 // a thin wall does; of several clouds whose samples are as near, not all of these. Samples whose
 // normal is not known face no way. clouds[c]: the samples of which outward(c) tells. Errors:
 // InputError unless it tells of all of them. Complexity: O(k log n) for k vertices, and what
-// `outward` takes. Deterministic, whatever the order of the clouds. Source: ours, docs/update.md,
-// departure 36.
+// `outward` takes. Deterministic, whatever the order of the clouds. Source: ours,
+// docs/departures.md, departure 36.
 std::vector<VertexId> scanned_again(const ModelIndex& model, std::span<const VertexId> vertices,
                                     std::span<const NearestPointTree> clouds,
                                     const OutwardNormals& outward);

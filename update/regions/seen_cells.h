@@ -30,7 +30,7 @@ struct Sight {
 // nobody scanned leave the side of what lies between undecided; a boss whose top alone was seen
 // floats above the model, or is held by a thread. Errors: InputError for options out of range.
 // Complexity: O(cells), and a short walk for each place. Deterministic: independent of the order of
-// the lines. Source: ours, docs/update.md, departure 24.
+// the lines. Source: ours, docs/departures.md, departure 24.
 void add_seen_cells(const Triangulation& triangulation, std::span<const Sight> sights,
                     const SightOptions& options, KnownLabels& known);
 

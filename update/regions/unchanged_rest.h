@@ -32,7 +32,7 @@ struct UnchangedRestOptions {
 // to go. Errors: InputError if not every scan has a tree, for regions of another model, by their
 // sizes, for vertices that are not ascending or not of the model, and for options out of range.
 // Complexity: O(r log n) for r removed vertices, and what NearFacets takes if any comes in
-// question. Deterministic. Source: ours, docs/update.md, departure 37.
+// question. Deterministic. Source: ours, docs/departures.md, departure 37.
 std::vector<VertexId> unchanged_rest(const ModelIndex& model, std::span<const VertexId> removed,
                                      const Regions& regions, const RegionChoice& choice,
                                      std::span<const RegionId> said_to_go,

@@ -14,7 +14,7 @@ namespace cocoon {
 // what the user says. `angles`: of each border loop, by segment_under_clouds(). False if the choice
 // is ambiguous. Errors and complexity: those of choose_regions(), regions_under_samples() and
 // part_contradicted_islands(). Source: Woo & Dey 2005, section 3.4; what decides besides angles is
-// ours (docs/update.md, departures 33 and 27).
+// ours (docs/departures.md, departures 33 and 27).
 bool choose_replaced(UpdateRun& run, std::span<const RegionAngles> angles,
                      const Execution& execution);
 

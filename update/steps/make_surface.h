@@ -19,7 +19,7 @@ namespace cocoon {
 // Euler numbers of it and of the model, and what crowds. `irregular`: irregular_sides() of the
 // model. Returns false, with the status, if there is no surface, or if it was refuted.
 // Errors and complexity: those of replace_points() and of parts.reconstruct, which is called up to
-// three times. Source: Woo & Dey 2005, section 3.5; docs/update.md, departure 25.
+// three times. Source: Woo & Dey 2005, section 3.5; docs/departures.md, departure 25.
 bool make_surface(UpdateRun& run, const UpdateParts& parts, const ReplacedVertices& replaced,
                   std::span<const EdgeSide> irregular, const Execution& execution);
 

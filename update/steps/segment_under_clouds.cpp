@@ -101,18 +101,31 @@ bool needs_no_cut(UpdateRun& run, const std::vector<std::size_t>& joined,
   return true;
 }
 
-// Why the cut of this cloud, and of those joined to it, is not to be believed.
-std::optional<std::string> why_not_cut(const UpdateRun& run, std::size_t c, const RegionCut& cut) {
+// Why the cut of these clouds, which are joined, is not to be believed.
+std::optional<std::string> why_not_cut(const UpdateRun& run, std::span<const std::size_t> clouds,
+                                       const RegionCut& cut) {
   const CutOptions& options = run.options.cut;
-  if (runs_around_handle(run.result.clouds[c])) {
-    const std::vector<Scan> scans = run.scans();
-    const bool is_far =
-        reaches_beyond(*run.index, members(cut.under), std::span(&scans[c], 1), options.box_reach);
+  const bool is_around_handle = std::any_of(clouds.begin(), clouds.end(), [&](std::size_t c) {
+    return runs_around_handle(run.result.clouds[c]);
+  });
+  if (is_around_handle) {
+    const std::vector<Scan> all = run.scans();
+    std::vector<Scan> scans;
+    for (const std::size_t c : clouds) scans.push_back(all[c]);
+    const bool is_far = reaches_beyond(*run.index, members(cut.under), scans, options.box_reach);
     if (is_far || cut.doubt() > options.max_doubt) return reason_of_wide_handle();
   } else if (cut.doubt() > options.max_doubt) {
     return reason_of_doubtful_cut(cut);
   }
   return {};
+}
+
+std::vector<std::size_t> clouds_joined_to(std::size_t lowest, std::span<const std::size_t> joined) {
+  std::vector<std::size_t> clouds;
+  for (std::size_t c = 0; c < joined.size(); ++c) {
+    if (joined[c] == lowest) clouds.push_back(c);
+  }
+  return clouds;
 }
 
 // Where clouds are cut: takes regions that lie as a whole under each such cloud, or outside. None
@@ -137,7 +150,8 @@ bool segment(UpdateRun& run, const std::vector<std::size_t>& joined, const Execu
   }
   for (std::size_t c = 0; c < run.clouds.size(); ++c) {
     if (run.is_cut[c] == 0 || joined[c] != c) continue;
-    const std::optional<std::string> why = why_not_cut(run, c, cut.cuts[c]);
+    const std::optional<std::string> why =
+        why_not_cut(run, clouds_joined_to(c, joined), cut.cuts[c]);
     cut.cuts[c].under = {};
     reports[c].cut = std::move(cut.cuts[c]);
     if (why) {

@@ -15,7 +15,7 @@ namespace cocoon {
 // run.decided says so. Pin-holes beyond which the model does not go on are closed first.
 // Returns the angles at each border loop; none if a loop does not cut the model in two, or a cut is
 // not to be believed. Errors and complexity: those of segment_model() and cut_regions(). Source:
-// Woo & Dey 2005, section 3.4; cuts are ours (docs/update.md, departure 16).
+// Woo & Dey 2005, section 3.4; cuts are ours (docs/departures.md, departure 16).
 std::optional<std::vector<RegionAngles>> segment_under_clouds(UpdateRun& run,
                                                               const Execution& execution);
 

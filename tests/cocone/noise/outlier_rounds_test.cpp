@@ -82,7 +82,7 @@ OutlierRounds compare_with_plain_rounds(const std::vector<Point>& points, bool s
     }
   }
   OutlierRounds rounds = outlier_rounds(std::move(first.triangulation), std::move(first.spacing),
-                                        first.outliers, spared, options);
+                                        first.outliers, spared, options, FlatSamples::refused);
   std::vector<Point> rest;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (rounds.out[vertex_of_point[PointId(i)]] == 0) rest.push_back(points[i]);
@@ -125,8 +125,14 @@ TEST(OutlierRounds, WhatIsLeftMustSpanSpace) {
   Spaced first(points, options);
   ASSERT_GE(first.count(), 1U);
   EXPECT_THROW(outlier_rounds(std::move(first.triangulation), std::move(first.spacing),
-                              first.outliers, {}, options),
+                              first.outliers, {}, options, FlatSamples::refused),
                InputError);
+  Spaced again(points, options);
+  const OutlierRounds rounds =
+      outlier_rounds(std::move(again.triangulation), std::move(again.spacing), again.outliers, {},
+                     options, FlatSamples::moved);
+  EXPECT_TRUE(rounds.is_flat);
+  EXPECT_EQ(rounds.count, again.count());
 }
 
 }  // namespace

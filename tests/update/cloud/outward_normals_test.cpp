@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geom/random/random.h"
+#include "geom/triangle_normal.h"
 #include "tests/update/hand_made_models.h"
 
 namespace cocoon {
@@ -114,6 +115,40 @@ TEST(OutwardNormals, InsideNothingIsKnownIfTheRimDoesNotAgree) {
     scene.overlap.loops[l].match = LoopMatch::off_model;
   }
   EXPECT_GT(num_known_inside(scene), 800);
+}
+
+// A scan of the top, and one triangle turned over that touches it at a point of its rim. Whichever
+// of the two comes last among the triangles, the other has its own way: the rim is that of the
+// scan.
+TEST(OutwardNormals, PartsThatTouchHaveEachTheirOwnWay) {
+  for (const bool touching_first : {false, true}) {
+    ScannedTop scene({0, 0, 0});
+    CloudSurface& surface = scene.surface;
+    const VertexId touched = surface.rim.loops[0].vertices[0];
+    std::vector<VertexId> added;
+    for (const double y : {0.0, 0.5}) {
+      const Point away = surface.mesh.points[touched] + Vec3{-0.5, y, 0};
+      surface.point_of_vertex.push_back(PointId(scene.cloud.size()));
+      scene.cloud.push_back(away);
+      added.push_back(surface.mesh.points.push_back(away));
+    }
+    Triangle turned = {touched, added[0], added[1]};
+    const Vec3 normal = area_normal(surface.mesh.points[turned[0]], surface.mesh.points[turned[1]],
+                                    surface.mesh.points[turned[2]]);
+    if (normal.z > 0) std::swap(turned[1], turned[2]);
+    if (touching_first) {
+      surface.mesh.triangles.raw().insert(surface.mesh.triangles.raw().begin(), turned);
+      for (TriangleId& t : surface.rim.loops[0].triangles) t = TriangleId(t.value + 1);
+    } else {
+      surface.mesh.triangles.push_back(turned);
+    }
+    const std::vector<Outward> normals =
+        outward_normals(scene.model, scene.cloud, surface, scene.overlap);
+    for (const VertexId v : added) {
+      EXPECT_GT(normals[surface.point_of_vertex[v].index()].normal.z, 0.9) << touching_first;
+    }
+    EXPECT_GT(normals[surface.point_of_vertex[touched].index()].normal.z, 0.9) << touching_first;
+  }
 }
 
 // Triangle by triangle, where they are not too steep.
