@@ -51,7 +51,7 @@ class BodyCloser {
   // the clean-up (mark_undoubted_cells). Takes those whose surfaces are no rougher; whether one
   // was.
   bool make_heeding(const KnownLabels& told, bool in_doubt, double most, ClosedBody& best) const;
-  // clean_up_knowing where a mesh that is none of ours tells.
+  // clean_up_knowing where a foreign mesh tells.
   ClosedBody clean_up_foreign(const CellMarks& marks,
                               const IdVector<CellId, CellLabel>& told) const;
   // Where the marking has asked it: such a mesh cuts sharp edges otherwise than the facets do, and
@@ -183,7 +183,7 @@ bool BodyCloser::make_heeding(const KnownLabels& told, bool in_doubt, double mos
     const std::size_t left = count_contradicted(likely, best.marks.reached);
     if (!(static_cast<double>(left) > most)) return is_better;
   }
-  // A mesh of another program contradicts many good vertices.
+  // A foreign mesh contradicts many good vertices.
   const bool is_foreign = told.is_foreign();
   offer(mark_undoubted_cells(triangulation_, surface_, find_good_vertices(),
                              is_foreign ? likely : taken.labels, likely, execution_));

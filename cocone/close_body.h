@@ -53,7 +53,7 @@ inline bool needs_links(const KnownLabels& told) {
 // `peeled`: of peel_cells. `told`: of none unless marks are in doubt, or have not reached all good
 // vertices. In paper mode nothing is cleaned up.
 // Complexity: O(cells) and that of clean_up_cells; if something likely is contradicted up to three
-// times, with markings and peels of its own, and where a mesh that is none of ours tells, in up to
+// times, with markings and peels of its own, and where a foreign mesh tells, in up to
 // ReconstructOptions::yield_rounds + 1 rounds each, of two markings if the first has asked it.
 // Deterministic. Errors: InputError for labels of another triangulation, by their number, and for
 // options out of range; Cancelled. Source: ours, docs/stages/known_labels.md.

@@ -108,7 +108,7 @@ struct ReconstructCounters {
   std::size_t likely_cells = 0;         // of which something is likely (known_labels.h),
   std::size_t contradicted_likely = 0;  // those on the other side of the surface without it,
   std::size_t heeded_likely = 0;        // and those taken for known therefore, all or none
-  // Told by a mesh of another program, but left to good vertices, since the surface would touch
+  // Told by a foreign mesh, but left to good vertices, since the surface would touch
   // itself.
   std::size_t yielded_cells = 0;
   // No good ones, since known or likely cells contradict them, or hide them from all marks.

@@ -1,4 +1,4 @@
-// Labels told by a mesh that is none of ours yield to good vertices where they do not fit.
+// Labels told by a foreign mesh yield to good vertices where they do not fit.
 #pragma once
 
 #include <cstddef>

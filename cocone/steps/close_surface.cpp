@@ -45,8 +45,8 @@ class ToldLabels {
   bool is_asked() const { return told_.has_value(); }
   // Whether links of the surface are needed where what was told is heeded.
   bool needs_links() const { return told_ && cocoon::needs_links(*told_); }
-  // Whether a mesh that is none of ours has told them.
-  bool is_by_others() const { return told_ && told_->is_foreign(); }
+  // Whether a foreign mesh has told them.
+  bool is_foreign() const { return told_ && told_->is_foreign(); }
 
  private:
   KnownLabelsSource known_;
@@ -127,14 +127,14 @@ std::optional<CellMarks> mark_and_peel(Look& look, const Execution& execution) {
 }
 
 bool calls_for_look(const Look& look, std::size_t conflicts, std::size_t poor_cells) {
-  const std::size_t poor = look.told.is_by_others() ? 0 : poor_cells;  // there costs tell
+  const std::size_t poor = look.told.is_foreign() ? 0 : poor_cells;  // there costs tell
   return calls_for_second_look(look.input.options.second_look,
                                {conflicts, poor, look.made.result.vertices});
 }
 
 // Where a mesh of others has told: its marks may have been made again since the peel.
 bool calls_for_look_at_closed(const Look& look, std::size_t conflicts, std::size_t poor_cells) {
-  return look.told.is_by_others() && calls_for_look(look, conflicts, poor_cells);
+  return look.told.is_foreign() && calls_for_look(look, conflicts, poor_cells);
 }
 
 // Whether the clean-up has seen the boundary of the body be no closed umbrella at some vertex.
@@ -276,7 +276,7 @@ GoodUmbrellas close_surface(const ReconstructInput& input, FoundSurface& found,
       told.ask(input.triangulation, found.surface.triangles.set, nested);
     });
   }
-  if (!told.is_by_others() && calls_for_look(look, marks->conflicts, marks->poor_cells)) {
+  if (!told.is_foreign() && calls_for_look(look, marks->conflicts, marks->poor_cells)) {
     if (told.is_asked() && !told.needs_links()) forget_links(look);
     if (look_again(look, marks->conflicts, std::nullopt, execution)) {
       keep_good(*std::move(marks), look);

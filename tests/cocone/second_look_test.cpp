@@ -157,7 +157,7 @@ TEST(SecondLook, PartsHandlesAndUnusedSamplesCostWhatTheCleanUpSays) {
   EXPECT_EQ(cost_of({.parts = 1, .twice_handles = 2}, costs), 100 + 0x1p20);
 }
 
-// As of a mesh of another program: what it tells is right here, in all cells.
+// As of a foreign mesh: what it tells is right here, in all cells.
 KnownLabels told_by_blocks(const Triangulation& triangulation, double gap) {
   KnownLabels known;
   known.labels = IdVector<CellId, CellLabel>(triangulation.num_cells(), CellLabel::unmarked);

@@ -1,4 +1,4 @@
-// Which cells a mesh of another program leaves to its inside and outside (known_labels.h).
+// Which cells a foreign mesh leaves to its inside and outside (known_labels.h).
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -115,7 +115,7 @@ TEST(UpdateFromAbove, ABossStandsOnTheModel) {
   EXPECT_LT(blind_sum, shares.sum - 0.5);
 }
 
-// Also in a mesh of another program.
+// Also in a foreign mesh.
 TEST(UpdateFromAbove, APocketIsOpen) {
   const std::vector<Scene> scenes = {{-4, 5}, {-6, 5}, {-8, 5}};
   for (const TriangleMesh& model : {testing::block(40, 30, 12), sampled_block()}) {
