@@ -203,6 +203,7 @@ std::vector<ContradictedIsland> part_contradicted_islands(
   make_set(contradicted);
   const std::size_t before = regions.regions.size();
   std::vector<ContradictedIsland> found;
+  found.reserve(contradicted.size());
   for (const RegionId r : contradicted) {
     found.push_back({r, part_near(model, contradictions, r, regions)});
   }

@@ -48,6 +48,7 @@ std::vector<int> ways_of_parts(const ModelIndex& model, const TriangleMesh& mesh
                                const Overlap& overlap) {
   const std::vector<RimCorner> rim_corners = corners_on_model(parts, rim, overlap);
   std::vector<VertexOfPart> corners;
+  corners.reserve(rim_corners.size());
   for (const RimCorner& at : rim_corners) corners.push_back(at.corner);
   const std::vector<Vec3> normals = area_normals_of_parts(mesh, parts.component_of, corners);
   std::vector<double> votes(parts.components.size(), 0);
