@@ -294,7 +294,6 @@ TEST(CloudSurface, OrderAndThreadsDoNotMatter) {
   }
 }
 
-// In paper mode each trial measures the radius of the cocone (docs/departures.md).
 // A lone sample beyond a rim is no cloud because it is there twice.
 TEST(CloudSurface, SamplesGivenTwiceChangeNoRim) {
   std::vector<Point> points;
@@ -313,6 +312,7 @@ TEST(CloudSurface, SamplesGivenTwiceChangeNoRim) {
   EXPECT_EQ(twice.rim.is_partial(), once.rim.is_partial());
 }
 
+// In paper mode each trial measures the radius of the cocone (docs/departures.md).
 TEST(CloudSurface, PaperModeHoldsInAllTrials) {
   const std::vector<Point> cloud = sheet(30, 0.02, 0.4, 0.6, everywhere);
   CloudSurfaceOptions options;

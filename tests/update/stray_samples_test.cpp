@@ -204,8 +204,8 @@ TEST(StraySamples, AFlatPatchStaysAndLosesItsStrays) {
   const std::size_t good = cloud.size();
   EXPECT_EQ(stray_samples(cloud).kept.raw(), first_kept(good, good));
 
-  cloud.push_back(
-      {5, 5, 30});  // without it and the next the rest is flat, and has an outlier itself
+  // Without the first two the rest is flat, and has an outlier itself.
+  cloud.push_back({5, 5, 30});
   cloud.push_back({12, 3, -20});
   cloud.push_back({40, 40, 7});
   const StraySamples strays = stray_samples(cloud);

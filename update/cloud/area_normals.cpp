@@ -6,20 +6,14 @@
 
 namespace cocoon {
 
-IdVector<VertexId, Vec3> area_normals(const TriangleMesh& mesh,
-                                      const IdVector<VertexId, std::uint8_t>& wanted) {
-  IdVector<VertexId, Vec3> sums(mesh.points.size());
+IdVector<VertexId, Vec3> area_normals(const TriangleMesh& mesh) {
+  IdVector<VertexId, Vec3> normals(mesh.points.size());
   for (const auto& [a, b, c] : mesh.triangles) {
-    if ((wanted[a] | wanted[b] | wanted[c]) == 0) continue;
     const Vec3 twice_area = area_normal(mesh.points[a], mesh.points[b], mesh.points[c]);
-    for (const VertexId v : {a, b, c}) {
-      if (wanted[v] != 0) sums[v] = sums[v] + twice_area;
-    }
+    for (const VertexId v : {a, b, c}) normals[v] = normals[v] + twice_area;
   }
-  for (const VertexId v : sums.ids()) {
-    if (wanted[v] != 0) sums[v] = unit(sums[v]);
-  }
-  return sums;
+  for (Vec3& normal : normals) normal = unit(normal);
+  return normals;
 }
 
 std::vector<Vec3> area_normals_of_parts(const TriangleMesh& mesh,

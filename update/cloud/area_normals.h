@@ -13,11 +13,10 @@
 
 namespace cocoon {
 
-// Unit normals of the vertices whose flag is set: of the sum of their triangles' normals, each as
-// long as its triangle is large. Zero for the others, and where the sum is zero. The triangles must
-// be oriented. Complexity: O(triangles + vertices).
-IdVector<VertexId, Vec3> area_normals(const TriangleMesh& mesh,
-                                      const IdVector<VertexId, std::uint8_t>& wanted);
+// Unit normals of the vertices: of the sum of their triangles' normals, each as long as its
+// triangle is large. Zero where the sum is zero. The triangles must be oriented. Complexity:
+// O(triangles + vertices).
+IdVector<VertexId, Vec3> area_normals(const TriangleMesh& mesh);
 
 // A vertex as a corner of one of the parts that meet there.
 struct VertexOfPart {

@@ -20,25 +20,25 @@ namespace {
 // Cosines whose sum is not more than so much for each of them are nothing but rounding.
 constexpr double rounding_of_cosine = 1e-12;
 
-// A point of the rim on the model, as a corner of the part that ends there.
-struct RimCorner {
-  VertexOfPart corner;
-  TriangleId facet;  // of the model
+// The points of the rim that lie on the model.
+struct RimOnModel {
+  std::vector<VertexOfPart> corners;  // of the part of the surface that ends there
+  std::vector<TriangleId> facets;     // of the model
 };
 
-std::vector<RimCorner> corners_on_model(const EdgeComponents& parts, const CloudRim& rim,
-                                        const Overlap& overlap) {
-  std::vector<RimCorner> corners;
+RimOnModel rim_on_model(const EdgeComponents& parts, const CloudRim& rim, const Overlap& overlap) {
+  RimOnModel found;
   for (std::size_t l = 0; l < rim.loops.size(); ++l) {
     if (overlap.loops[l].match != LoopMatch::on_model) continue;
     const RimLoop& loop = rim.loops[l];
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const TriangleId facet = overlap.loops[l].facets[i];
-      const std::uint32_t part = parts.component_of[loop.triangles[i].index()];
-      if (!facet.is_none()) corners.push_back({{loop.vertices[i], part}, facet});
+      if (facet.is_none()) continue;
+      found.corners.push_back({loop.vertices[i], parts.component_of[loop.triangles[i].index()]});
+      found.facets.push_back(facet);
     }
   }
-  return corners;
+  return found;
 }
 
 // For each part of an oriented surface 1 if it faces as the model does, -1 if the other way, 0 if
@@ -46,15 +46,12 @@ std::vector<RimCorner> corners_on_model(const EdgeComponents& parts, const Cloud
 std::vector<int> ways_of_parts(const ModelIndex& model, const TriangleMesh& mesh,
                                const EdgeComponents& parts, const CloudRim& rim,
                                const Overlap& overlap) {
-  const std::vector<RimCorner> rim_corners = corners_on_model(parts, rim, overlap);
-  std::vector<VertexOfPart> corners;
-  corners.reserve(rim_corners.size());
-  for (const RimCorner& at : rim_corners) corners.push_back(at.corner);
+  const auto [corners, facets] = rim_on_model(parts, rim, overlap);
   const std::vector<Vec3> normals = area_normals_of_parts(mesh, parts.component_of, corners);
   std::vector<double> votes(parts.components.size(), 0);
   std::vector<double> voters(parts.components.size(), 0);
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    votes[corners[k].part] += dot(normals[k], model.normal(rim_corners[k].facet));
+    votes[corners[k].part] += dot(normals[k], model.normal(facets[k]));
     ++voters[corners[k].part];
   }
   std::vector<int> ways;
@@ -154,8 +151,7 @@ std::vector<Outward> outward_normals(const ModelIndex& model, Points cloud,
                                      const OutwardOptions& options) {
   require_options("outward_normals", options);
   const TurnedSurface turned = turned_outward(model, surface.mesh, surface.rim, overlap, options);
-  const IdVector<VertexId, Vec3> normals =
-      area_normals(turned.mesh, IdVector<VertexId, std::uint8_t>(turned.mesh.points.size(), 1));
+  const IdVector<VertexId, Vec3> normals = area_normals(turned.mesh);
   std::vector<Outward> outward(cloud.size());
   for (const VertexId v : normals.ids()) {
     outward[surface.point_of_vertex[v].index()] = {normals[v], turned.views[v]};
