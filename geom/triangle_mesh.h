@@ -51,7 +51,7 @@ inline std::array<Point, 3> corners_from_smallest(std::array<Point, 3> corners) 
 }
 
 // The length of edge i of a triangle, opposite its corner i, in units of the coordinates; and that
-// of its shortest and of its longest edge. Precondition: as corners_of. O(1).
+// of its shortest, its median and its longest edge. Precondition: as corners_of. O(1).
 inline double edge_length(const TriangleMesh& mesh, TriangleId triangle, std::size_t i) {
   const Triangle& corners = mesh.triangles[triangle];
   return distance(mesh.points[corners[(i + 1) % 3]], mesh.points[corners[(i + 2) % 3]]);
@@ -59,6 +59,11 @@ inline double edge_length(const TriangleMesh& mesh, TriangleId triangle, std::si
 inline double shortest_edge(const TriangleMesh& mesh, TriangleId triangle) {
   return std::min({edge_length(mesh, triangle, 0), edge_length(mesh, triangle, 1),
                    edge_length(mesh, triangle, 2)});
+}
+inline double median_edge(const TriangleMesh& mesh, TriangleId triangle) {
+  const auto [low, high] =
+      std::minmax({edge_length(mesh, triangle, 0), edge_length(mesh, triangle, 1)});
+  return std::clamp(edge_length(mesh, triangle, 2), low, high);
 }
 inline double longest_edge(const TriangleMesh& mesh, TriangleId triangle) {
   return std::max({edge_length(mesh, triangle, 0), edge_length(mesh, triangle, 1),

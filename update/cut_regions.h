@@ -38,6 +38,12 @@ struct CutOptions {
   // And it is as good as whole up to this one, so that nobody need look at the result: most right
   // updates with a cut have less than half of it, wrong ones more than twice as much.
   double clear_doubt = 0.05;
+  // Beyond this one somebody must: of random changes a twentieth of the right ones with a cut has
+  // more, and a third of the wrong ones.
+  double high_doubt = 0.3;
+  // So many facets that say that the scan ends on them are nothing to tell of: where rims have
+  // small gaps right updates have a few.
+  std::size_t few_scan_ends = 5;
   // If the rim of a cloud leaves more doubt (rim_doubt.h), the rims of its other trials are looked
   // at, and the clearest is taken if its doubt is less than this share of that. 0: none is.
   double clearer_rim = 0.6;

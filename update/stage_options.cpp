@@ -81,6 +81,7 @@ void require_options(const char* stage, const CutOptions& options) {
                           {"cut.seed_reach", options.seed_reach},
                           {"cut.max_doubt", options.max_doubt},
                           {"cut.clear_doubt", options.clear_doubt},
+                          {"cut.high_doubt", options.high_doubt},
                           {"cut.clearer_rim", options.clearer_rim},
                           {"cut.min_told", options.min_told},
                           {"cut.box_reach", options.box_reach}});
@@ -110,6 +111,14 @@ void require_options(const char* stage, const MovedCutOptions& options) {
   require_amounts(stage, {{"cut.moved.reach", options.reach},
                           {"cut.moved.unconfirmed_cost", options.unconfirmed_cost}});
   require_options(stage, options.unconfirmed);
+}
+
+void require_options(const char* stage, const GapOptions& options) {
+  require_amounts(stage, {{"gaps.reach", options.reach}, {"gaps.off_model", options.off_model}});
+}
+
+void require_options(const char* stage, const HandleOptions& options) {
+  require_amounts(stage, {{"handles.wide", options.wide}});
 }
 
 void require_options(const char* stage, const SightOptions& options) {
@@ -314,6 +323,8 @@ void require_options(const char* stage, const UpdateOptions& options) {
   require_options(stage, options.unused_changes);
   require_options(stage, options.contradicted);
   require_options(stage, options.openings);
+  require_options(stage, options.gaps);
+  require_options(stage, options.handles);
   require_options(stage, options.crowded);
   require_options(stage, options.shift);
 }

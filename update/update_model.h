@@ -18,6 +18,7 @@
 #include "geom/execution.h"
 #include "geom/id_vector.h"
 #include "geom/triangle_mesh.h"
+#include "update/checks/bridged_gaps.h"
 #include "update/checks/closed_openings.h"
 #include "update/checks/contradicted_samples.h"
 #include "update/checks/crowded_samples.h"
@@ -86,6 +87,8 @@ struct UpdateOptions {
   UnusedChangeOptions unused_changes;  // what was scanned and is not on the surface (28)
   ContradictedOptions contradicted;    // samples that contradict each other (29)
   ClosedOpeningOptions openings;       // openings of the model that are closed
+  GapOptions gaps;                     // of the scan that the surface bridges (23)
+  HandleOptions handles;               // that the replaced parts do not explain (22)
   ShiftOptions shift;                  // scans that are moved off the model (23)
 };
 
@@ -113,10 +116,12 @@ struct UpdateResult {
   OverlookedVertices overlooked;
   UnscannedLosses unscanned;
   UnusedChanges unused_changes;
+  BridgedGaps gaps;
   // Euler numbers (update/model/euler_number.h).
   std::ptrdiff_t euler_before = 0;
   std::ptrdiff_t euler = 0;
   std::size_t unexplained_handles = 0;  // of a model with open edges always 0
+  std::size_t sampled_handles = 0;      // of these, those that the samples show (HandleOptions)
   ClosedOpenings closed_openings;       // a vertex of the initial model is named
   LooseParts loose_parts;               // a vertex of the updated one
   CrowdedSamples crowded;               // looked for where there were such handles or parts

@@ -138,6 +138,28 @@ void add_regions(JsonReport& report, const UpdateResult& result) {
   }
 }
 
+// What is doubtful about the result.
+void add_doubts(JsonReport& report, const UpdateResult& result) {
+  report.set("update/unexplained_handles", result.unexplained_handles);
+  report.set("update/sampled_handles", result.sampled_handles);
+  report.set("update/loose_parts", result.loose_parts.count);
+  if (result.crowded.distance > 0) {
+    report.set("update/crowded_samples", result.crowded.closer);
+    report.set("update/crowded_distance", result.crowded.distance);
+    report.set("update/crowded_thickness", result.crowded.thickness);
+    report.set("update/left_out_samples", result.replacement.left_out);
+  }
+  report.set("update/closed_openings", result.closed_openings.edges);
+  report.set("update/model_euler", result.euler_before);
+  report.set("update/updated_euler", result.euler);
+  report.set("update/contradicted_islands", numbers_of(result.islands));
+  report.set("update/unused_changes", result.unused_changes.samples);
+  report.set("update/bridging_triangles", result.gaps.triangles);
+  report.set("update/longest_gap", result.gaps.longest);
+  report.set("update/far_losses", result.unscanned.far);
+  report.set("update/unscanned_losses", result.unscanned.vertices);
+}
+
 void add_update_section(JsonReport& report, const UpdateResult& result) {
   std::vector<std::size_t> loops;
   std::size_t boundary_points = 0;
@@ -170,21 +192,7 @@ void add_update_section(JsonReport& report, const UpdateResult& result) {
   report.set("update/unchanged_kept", vertices.unchanged);
   report.set("update/rescanned", result.overlooked.scanned);
   report.set("update/rescanned_kept", result.overlooked.kept);
-  report.set("update/unexplained_handles", result.unexplained_handles);
-  report.set("update/loose_parts", result.loose_parts.count);
-  if (result.crowded.distance > 0) {
-    report.set("update/crowded_samples", result.crowded.closer);
-    report.set("update/crowded_distance", result.crowded.distance);
-    report.set("update/crowded_thickness", result.crowded.thickness);
-    report.set("update/left_out_samples", result.replacement.left_out);
-  }
-  report.set("update/closed_openings", result.closed_openings.edges);
-  report.set("update/model_euler", result.euler_before);
-  report.set("update/updated_euler", result.euler);
-  report.set("update/contradicted_islands", numbers_of(result.islands));
-  report.set("update/unused_changes", result.unused_changes.samples);
-  report.set("update/far_losses", result.unscanned.far);
-  report.set("update/unscanned_losses", result.unscanned.vertices);
+  add_doubts(report, result);
   const ReconstructCounters& counters = result.reconstruction.counters;
   report.set("update/yielded_cells", counters.yielded_cells);
   report.set("update/first_conflicts", counters.first_conflicts);
@@ -263,7 +271,7 @@ void say_update(Job& job, const UpdateRecord& record) {
               cloud.surface.trials.size(),
               cloud.taken_rim > 0 ? ", as the one that leaves the least doubt on the model" : "");
     }
-    for (const std::string& note : notes_of_surface(cloud.surface)) job.say("  {}", note);
+    for (const std::string& note : notes_of_cloud(cloud)) job.say("  {}", note);
     for (const std::string& note : notes_of_cut(cloud.cut)) job.say("  {}", note);
     for (const RegionVerdict& group : cloud.groups) {
       job.say("  group {}: mean angle {:.2f} degrees, {}", group.region.value,

@@ -163,8 +163,9 @@ std::vector<Point> drilled_tube(double spacing) {
   return samples;
 }
 
-// Two rims, but one part of the model between them: of a handle neither tells.
-TEST(UpdateWithHandles, AHandleOfATubeInThePlaceOfATubeIsTold) {
+// Two rims, but one part of the model between them: of a handle neither tells, but the samples show
+// it.
+TEST(UpdateWithHandles, AHandleOfATubeInThePlaceOfATubeIsOfTheSamples) {
   const TriangleMesh model = testing::torus(126, 44, 0.35);
   const UpdateResult result = update_model(model, Clouds{drilled_tube(0.045)});
   ASSERT_EQ(result.status, UpdateStatus::ok) << result.message;
@@ -172,9 +173,19 @@ TEST(UpdateWithHandles, AHandleOfATubeInThePlaceOfATubeIsTold) {
   EXPECT_EQ(result.replaced_groups.size(), 1U);
   EXPECT_EQ(mesh_check(result.mesh).euler, -2);
   EXPECT_EQ(result.unexplained_handles, 1U);
-  EXPECT_TRUE(std::any_of(
-      result.warnings.begin(), result.warnings.end(),
-      [](const std::string& warning) { return warning.find("1 handle") != std::string::npos; }));
+  EXPECT_EQ(result.sampled_handles, 1U);
+  const auto warns_of_handle = [](const UpdateResult& of) {
+    return std::any_of(of.warnings.begin(), of.warnings.end(), [](const std::string& warning) {
+      return warning.find("1 handle") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(warns_of_handle(result));
+  // Where so wide a handle counts as narrow it is told.
+  UpdateOptions options;
+  options.handles.wide = 100;
+  const UpdateResult narrow = update_model(model, Clouds{drilled_tube(0.045)}, options);
+  EXPECT_EQ(narrow.sampled_handles, 0U);
+  EXPECT_TRUE(warns_of_handle(narrow));
 }
 
 // Two boxes that share an edge, each closed by itself, as --manifold leaves contacts: the vertices

@@ -30,9 +30,8 @@ Clouds two_halves(SlabWithPocket& slab) {
 
 // How many clouds are told to end on what has changed.
 std::ptrdiff_t doubtful_ends(const UpdateResult& result) {
-  return std::count_if(result.warnings.begin(), result.warnings.end(), [](const std::string& w) {
-    return w.find("ends on what has changed") != std::string::npos;
-  });
+  return std::count_if(result.clouds.begin(), result.clouds.end(),
+                       [](const CloudReport& cloud) { return cloud.surface.rim.leaves_model; });
 }
 
 // What is wrong with the caller's own part, or the model, is no reason to take clouds apart.

@@ -92,6 +92,10 @@ inline void expect_equal_reports(const UpdateResult& actual, const UpdateResult&
   EXPECT_EQ(actual.closed_openings.edges, expected.closed_openings.edges);
   EXPECT_EQ(actual.loose_parts.count, expected.loose_parts.count);
   EXPECT_EQ(actual.unexplained_handles, expected.unexplained_handles);
+  EXPECT_EQ(actual.sampled_handles, expected.sampled_handles);
+  EXPECT_EQ(actual.gaps.triangles, expected.gaps.triangles);
+  EXPECT_EQ(actual.gaps.longest, expected.gaps.longest);
+  EXPECT_EQ(actual.gaps.at, expected.gaps.at);
   EXPECT_EQ(actual.euler_before, expected.euler_before);
   EXPECT_EQ(actual.euler, expected.euler);
   ASSERT_EQ(actual.clouds.size(), expected.clouds.size());

@@ -27,7 +27,7 @@ TriangleMesh patch_of(Points vertices, std::span<const Triangle> triangles, Vert
   }
   make_set(corners);
   if (!corners.empty()) {
-    require_index("narrow_patch_handles", "vertex", corners.back().index(), vertices.size());
+    require_index("patch_handles", "vertex", corners.back().index(), vertices.size());
   }
   for (const VertexId v : corners) patch.points.push_back(vertices[v.index()]);
   for (Triangle& t : patch.triangles) {
@@ -55,16 +55,17 @@ void close_openings(TriangleMesh& mesh) {
 
 }  // namespace
 
-std::size_t narrow_patch_handles(Points vertices, std::span<const Triangle> triangles,
-                                 VertexId first_new, double max_length) {
+std::vector<double> patch_handles(Points vertices, std::span<const Triangle> triangles,
+                                  VertexId first_new) {
   TriangleMesh patch = split_nonmanifold(patch_of(vertices, triangles, first_new)).mesh;
   close_openings(patch);
   const LinkedMesh linked = link_mesh(patch);
   const std::size_t handles = mesh_check(linked).genus.value_or(0);
-  const std::vector<NarrowHandle> found = narrow_handles(linked, handles);
-  return static_cast<std::size_t>(
-      std::count_if(found.begin(), found.end(),
-                    [&](const NarrowHandle& handle) { return handle.length <= max_length; }));
+  std::vector<double> lengths;
+  for (const NarrowHandle& handle : narrow_handles(linked, handles)) {
+    lengths.push_back(handle.length);
+  }
+  return lengths;
 }
 
 }  // namespace cocoon

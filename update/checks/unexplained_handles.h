@@ -6,6 +6,12 @@
 
 namespace cocoon {
 
+struct HandleOptions {
+  // A handle of the samples' own surface is no mistake if the way around it is longer than this
+  // many spacings of the coarsest cloud: webs and tunnels at torn places are narrower.
+  double wide = 6;
+};
+
 // What a cloud put into the model.
 struct SewnPatch {
   std::size_t rims = 0;   // loops of its rim on the model

@@ -57,80 +57,142 @@ double distance_of(const Loss& loss, const Point& place, std::span<const Scan> s
   return least;
 }
 
-// Those that hang together by edges of the model are a group, named by one of them.
+// Those that hang together by edges of the model are a group. It begins at those with a neighbor
+// that is none of them; those of these that hang together are an end of it.
 class Groups {
  public:
-  Groups(const ModelIndex& model, const std::vector<Loss>& losses)
-      : sets_(losses.size()), begins_(losses.size(), 0) {
+  // `lost`: these and those near samples, ascending.
+  Groups(const ModelIndex& model, const std::vector<Loss>& losses, std::span<const VertexId> lost)
+      : groups_(losses.size()),
+        ends_(losses.size()),
+        begins_(losses.size(), 0),
+        is_beside_kept_(losses.size(), 0) {
+    visit_edges(model, losses, [&](std::uint32_t i, std::uint32_t other, VertexId v) {
+      if (other == none) {
+        begins_[i] = 1;
+        if (!std::binary_search(lost.begin(), lost.end(), v)) is_beside_kept_[i] = 1;
+      } else {
+        groups_.join(i, other);
+      }
+    });
+    visit_edges(model, losses, [&](std::uint32_t i, std::uint32_t other, VertexId) {
+      if (other != none && begins_at(i) && begins_at(other)) ends_.join(i, other);
+    });
+  }
+
+  // Each is named by one of its losses.
+  std::size_t group_of(std::size_t i) { return groups_.root(static_cast<std::uint32_t>(i)); }
+  std::size_t end_of(std::size_t i) { return ends_.root(static_cast<std::uint32_t>(i)); }
+  bool begins_at(std::size_t i) const { return begins_[i] != 0; }
+  // A neighbor of it stays.
+  bool is_beside_kept(std::size_t i) const { return is_beside_kept_[i] != 0; }
+
+ private:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  // visit(i, other, v): of a loss and a neighbor v, by its place or none if that is no loss.
+  template <class Visit>
+  static void visit_edges(const ModelIndex& model, const std::vector<Loss>& losses,
+                          const Visit& visit) {
     for (std::size_t i = 0; i < losses.size(); ++i) {
       for (const TriangleId t : model.triangles_at(losses[i].vertex)) {
-        for (const VertexId other : model.mesh().triangles[t]) join(i, other, losses);
+        for (const VertexId v : model.mesh().triangles[t]) {
+          const auto found = std::lower_bound(
+              losses.begin(), losses.end(), v,
+              [](const Loss& loss, VertexId other) { return loss.vertex < other; });
+          const bool is_loss = found != losses.end() && found->vertex == v;
+          visit(static_cast<std::uint32_t>(i),
+                is_loss ? static_cast<std::uint32_t>(found - losses.begin()) : none, v);
+        }
       }
     }
   }
-  std::size_t of(std::size_t i) { return sets_.root(static_cast<std::uint32_t>(i)); }
-  // Whether its group begins there: it has a neighbor that is none of them.
-  bool begins_at(std::size_t i) const { return begins_[i] != 0; }
 
- private:
-  void join(std::size_t i, VertexId other, const std::vector<Loss>& losses) {
-    const auto found =
-        std::lower_bound(losses.begin(), losses.end(), other,
-                         [](const Loss& loss, VertexId v) { return loss.vertex < v; });
-    if (found == losses.end() || found->vertex != other) {
-      begins_[i] = 1;
-    } else {
-      sets_.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(found - losses.begin()));
-    }
-  }
-
-  DisjointSets sets_;
+  DisjointSets groups_;
+  DisjointSets ends_;
   std::vector<std::uint8_t> begins_;
+  std::vector<std::uint8_t> is_beside_kept_;
 };
 
-// Which losses a change of the surface explains, by their groups.
-std::vector<std::uint8_t> explained_by_changes(const ModelIndex& model,
-                                               const std::vector<Loss>& losses,
-                                               std::span<const Scan> scans,
-                                               std::span<const NearestPointTree> samples,
-                                               const UnscannedOptions& options) {
-  Groups groups(model, losses);
-  std::vector<std::size_t> begins(losses.size(), 0);
-  std::vector<std::size_t> changed(losses.size(), 0);
-  std::vector<std::size_t> asked;
+// A place where losses begin, and whether a sample off the model is near.
+struct Beginning {
+  std::size_t loss;
+  bool is_changed = false;
+};
+
+std::vector<Beginning> beginnings(const ModelIndex& model, const std::vector<Loss>& losses,
+                                  const Groups& groups, std::span<const Scan> scans,
+                                  std::span<const NearestPointTree> samples,
+                                  const UnscannedOptions& options) {
+  std::vector<Beginning> found;
   std::vector<Point> places;
   double spacing = 0;
   for (std::size_t i = 0; i < losses.size(); ++i) {
     if (!groups.begins_at(i)) continue;
-    asked.push_back(i);
+    found.push_back({i});
     places.push_back(model.mesh().points[losses[i].vertex]);
     spacing = std::max(spacing, losses[i].spacing);
   }
-  std::vector<std::uint8_t> is_changed(asked.size(), 0);
   for (std::size_t c = 0; c < scans.size(); ++c) {
     const Scan& scan = scans[c];
     const double largest = std::max(scan.spacing, spacing);
     SampleHeights heights(model, scan.samples, places, options.change_reach * largest,
                           options.off_model * largest, scan.shift);
-    for (std::size_t k = 0; k < asked.size(); ++k) {
-      const double unit = unit_at(losses[asked[k]], scan);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const double unit = unit_at(losses[found[k].loss], scan);
       const double off = options.off_model * unit;
       const auto is_off = [&](PointId p) { return heights.squared(p) > off * off; };
-      if (samples[c].any_near(places[k], options.change_reach * unit, is_off)) is_changed[k] = 1;
+      if (samples[c].any_near(places[k], options.change_reach * unit, is_off)) {
+        found[k].is_changed = true;
+      }
     }
   }
-  for (std::size_t k = 0; k < asked.size(); ++k) {
-    const std::size_t group = groups.of(asked[k]);
-    ++begins[group];
-    changed[group] += is_changed[k];
+  return found;
+}
+
+// By `part_of` of a loss: which parts have that share of their beginnings changed.
+template <class PartOf>
+std::vector<std::uint8_t> changed_parts(const std::vector<Beginning>& beginnings,
+                                        std::size_t losses, double share, const PartOf& part_of) {
+  std::vector<std::size_t> all(losses, 0);
+  std::vector<std::size_t> changed(losses, 0);
+  for (const Beginning& beginning : beginnings) {
+    const std::size_t part = part_of(beginning.loss);
+    ++all[part];
+    changed[part] += beginning.is_changed ? 1 : 0;
+  }
+  std::vector<std::uint8_t> is_changed(losses, 0);
+  for (std::size_t i = 0; i < losses; ++i) {
+    is_changed[i] =
+        all[i] > 0 && static_cast<double>(changed[i]) >= share * static_cast<double>(all[i]);
+  }
+  return is_changed;
+}
+
+// Which losses a change of the surface explains: by groups, or if `by_ends` those groups all of
+// whose ends are explained, with nothing beside them that stays.
+std::vector<std::uint8_t> explained_by_changes(const ModelIndex& model,
+                                               const std::vector<Loss>& losses,
+                                               std::span<const VertexId> lost,
+                                               std::span<const Scan> scans,
+                                               std::span<const NearestPointTree> samples,
+                                               bool by_ends, const UnscannedOptions& options) {
+  Groups groups(model, losses, lost);
+  const std::vector<Beginning> found = beginnings(model, losses, groups, scans, samples, options);
+  const auto group_of = [&](std::size_t i) { return groups.group_of(i); };
+  std::vector<std::uint8_t> is_explained =
+      changed_parts(found, losses.size(), options.explained, group_of);
+  if (by_ends) {
+    const auto end_of = [&](std::size_t i) { return groups.end_of(i); };
+    const std::vector<std::uint8_t> ends =
+        changed_parts(found, losses.size(), options.explained, end_of);
+    for (const Beginning& beginning : found) {
+      const std::size_t i = beginning.loss;
+      if (ends[end_of(i)] == 0 || groups.is_beside_kept(i)) is_explained[group_of(i)] = 0;
+    }
   }
   std::vector<std::uint8_t> explained;
-  for (std::size_t i = 0; i < losses.size(); ++i) {
-    const std::size_t group = groups.of(i);
-    explained.push_back(begins[group] > 0 &&
-                        static_cast<double>(changed[group]) >=
-                            options.explained * static_cast<double>(begins[group]));
-  }
+  for (std::size_t i = 0; i < losses.size(); ++i) explained.push_back(is_explained[group_of(i)]);
   return explained;
 }
 
@@ -163,8 +225,8 @@ UnscannedLosses unscanned_losses(const ModelIndex& model, std::span<const Vertex
   result.far = losses.size();
   std::vector<std::uint8_t> explained(losses.size(), 0);
   const double most = options.max_explained_share * static_cast<double>(model.mesh().points.size());
-  if (!losses.empty() && !lost_handles && static_cast<double>(losses.size()) <= most) {
-    explained = explained_by_changes(model, losses, scans, samples, options);
+  if (!losses.empty() && static_cast<double>(losses.size()) <= most) {
+    explained = explained_by_changes(model, losses, lost, scans, samples, lost_handles, options);
   }
   for (std::size_t i = 0; i < losses.size(); ++i) {
     if (explained[i] != 0) continue;

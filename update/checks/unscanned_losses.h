@@ -26,7 +26,7 @@ struct UnscannedOptions {
   // Such samples within this many spacings of where it begins explain what went: a boss that was
   // taken off leaves its place.
   double change_reach = 5;
-  // At this share of the vertices where it begins, at least.
+  // At this share of the vertices where it begins, at least; if handles went, at each of its ends.
   double explained = 0.5;
   // But nothing explains that more than this share of the model goes so.
   double max_explained_share = 0.5;
@@ -47,12 +47,12 @@ struct UnscannedLosses {
 };
 
 // Of the lost vertices those that no sample is near. That is as it should be where material was
-// taken away or filled in: there the surface keeps its handles, and samples off the model lie
-// around. If handles went, or parts came (`lost_handles`: the Euler characteristic rose), or where
-// all samples around lie on the model, something went that nobody scanned: a handle that begins
-// under the cloud, an island in a scan whose rim was not found, what was left over and no longer
-// makes a surface. Vertices that hang together by edges of the model went for one reason.
-// samples[i]: those of scans[i].
+// taken away or filled in: samples off the model lie around. Where all samples around lie on the
+// model, something went that nobody scanned: an island in a scan whose rim was not found, what was
+// left over and no longer makes a surface. If handles went, or parts came (`lost_handles`: the
+// Euler characteristic rose), samples must lie around all ends of what went, and nothing beside
+// it may stay: a handle that begins under the cloud may end where nothing was scanned. Vertices
+// that hang together by edges of the model went for one reason. samples[i]: those of scans[i].
 // Complexity: O(log n) for n samples for each lost vertex and its triangles; O(n) and what
 // NearFacets takes if any is far. Deterministic. Errors: InputError for options out of range, or if
 // not every scan has a tree.

@@ -40,9 +40,7 @@ std::map<std::uint32_t, std::size_t> outlines(const CloudRim& rim) {
 }  // namespace
 
 double larger_spacing(const ModelIndex& model, const CloudRim& rim, TriangleId facet) {
-  const TriangleMesh& mesh = model.mesh();
-  return std::max(rim.spacing, median({edge_length(mesh, facet, 0), edge_length(mesh, facet, 1),
-                                       edge_length(mesh, facet, 2)}));
+  return std::max(rim.spacing, median_edge(model.mesh(), facet));
 }
 
 void measure_excess(const ModelIndex& model, const CloudRim& rim, Overlap& overlap) {

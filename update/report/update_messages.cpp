@@ -23,14 +23,6 @@ std::string told_in_parentheses(std::span<const RegionVerdict> groups) {
   return told.empty() ? told : told + ")";
 }
 
-std::string where_it_leaves(const OverlapFigures& rim, const OverlapOptions& options) {
-  if (rim.in_shadow == 0) {
-    return "here and there, by up to " + rounded(rim.largest_excess) + " spacings";
-  }
-  return "at " + std::to_string(rim.in_shadow) + " of " + std::to_string(rim.in_shadow_of) +
-         " points of its longest loop, by more than " + rounded(options.max_distance) + " spacings";
-}
-
 }  // namespace
 
 std::string name_of_clouds(std::span<const std::size_t> members, std::size_t clouds) {
@@ -143,11 +135,21 @@ std::string warning_of_handle_across_rim() {
          "shortest way; look at the result";
 }
 
-std::vector<std::string> warnings_of_cut(const RegionCut& cut) {
-  if (cut.scan_ends == 0) return {};
-  return {"the samples end on the model where no rim was found (" +
-          counted(cut.scan_ends, "facet") + "); what is beyond stays; if it has gone, " +
-          std::string(advice_of_groups)};
+std::vector<std::string> warnings_of_cut(const RegionCut& cut, const CutOptions& options) {
+  std::vector<std::string> warnings;
+  if (cut.scan_ends > options.few_scan_ends) {
+    warnings.push_back("the samples end on the model where no rim was found (" +
+                       counted(cut.scan_ends, "facet") +
+                       "); what is beyond stays; if it has gone, " + std::string(advice_of_groups));
+  }
+  if (!cut.is_empty() && cut.doubt() > options.high_doubt) {
+    warnings.push_back(
+        "its rim leaves doubt about what lies under it (" + rounded(cut.doubt()) +
+        " of what its weaker side says): parts of it are missing or contradict each other; look "
+        "at the result, sample more densely at sharp edges and thin walls, or let the cloud reach "
+        "farther onto unchanged surface");
+  }
+  return warnings;
 }
 
 std::vector<std::string> notes_of_cut(const RegionCut& cut, const CutOptions& options) {
@@ -257,6 +259,15 @@ std::string warning_of_openings(const ClosedOpenings& openings, const Point& at)
          ": the updated mesh is closed there; look at the result";
 }
 
+std::string warning_of_gaps(const BridgedGaps& gaps, double reach) {
+  return counted(gaps.triangles, "triangle of the updated surface spans",
+                 "triangles of the updated surface span") +
+         " more than " + rounded(reach) + " spacings where the model has changed, up to " +
+         rounded(gaps.longest) + " at " + place_name(gaps.at) +
+         ": nothing was scanned there, as in a shadow of the scanner; look at the result, or scan "
+         "it, too";
+}
+
 std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, const Point& at) {
   const bool one = losses.vertices == 1;
   return counted(losses.vertices, "vertex of the model is gone", "vertices of the model are gone") +
@@ -266,7 +277,8 @@ std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, co
          "; look at the result, and scan there, too, or let the cloud reach less far";
 }
 
-std::vector<std::string> notes_of_surface(const CloudSurface& surface) {
+std::vector<std::string> notes_of_cloud(const CloudReport& cloud) {
+  const CloudSurface& surface = cloud.surface;
   std::vector<std::string> notes;
   const auto tell = [&](std::size_t count, const char* one, const char* many) {
     if (count > 0) notes.push_back(counted(count, one, many));
@@ -281,6 +293,17 @@ std::vector<std::string> notes_of_surface(const CloudSurface& surface) {
     notes.push_back(counted(surface.set_aside, "sample was", "samples were") +
                     " set aside to find its rim: layers out of register, noise, or edges and walls "
                     "too sparsely sampled");
+  }
+  const auto off_model = std::count_if(
+      cloud.loops.begin(), cloud.loops.end(),
+      [](const LoopReport& loop) { return !loop.pin_hole && loop.match == LoopMatch::off_model; });
+  tell(static_cast<std::size_t>(off_model),
+       "loop of its rim is off the model: a hole in the cloud, a top or a floor",
+       "loops of its rim are off the model: holes in the cloud, tops or floors");
+  if (surface.rim.leaves_model && cloud.overlap.in_shadow == 0) {
+    notes.push_back("its rim leaves the model here and there, by up to " +
+                    rounded(cloud.overlap.largest_excess) +
+                    " spacings: there the scan ends on what has changed");
   }
   return notes;
 }
@@ -301,20 +324,18 @@ std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const Overl
     warnings.push_back("its rim lies as if the cloud were moved by " +
                        rounded(cloud.shift / rim.spacing) + " spacings; register it better");
   }
-  if (rim.leaves_model) {
-    warnings.push_back("its rim leaves the model " + where_it_leaves(cloud.overlap, options) +
-                       ": the scan ends on what has changed, as in a shadow of the scanner; look "
-                       "at the result, or scan what lies between it and the model");
+  if (cloud.overlap.in_shadow > 0) {
+    warnings.push_back("its rim leaves the model at " + std::to_string(cloud.overlap.in_shadow) +
+                       " of " + std::to_string(cloud.overlap.in_shadow_of) +
+                       " points of its longest loop, by more than " +
+                       rounded(options.max_distance) +
+                       " spacings: the scan ends on what has changed, as in a shadow of the "
+                       "scanner; look at the result, or scan what lies between it and the model");
   }
   return warnings;
 }
 
-std::string warning_of_loop(const LoopOverlap& loop, bool at_others) {
-  if (loop.match == LoopMatch::off_model) {
-    return loop.is_outline ? "outlines a part of the cloud that is off the model, as a top or a "
-                             "floor, and is no border"
-                           : "is off the model and taken for a hole in the cloud";
-  }
+std::string warning_of_loop(bool at_others) {
   return at_others ? "lies on other clouds and is no border"
                    : "runs along a seam inside the cloud and is no border";
 }

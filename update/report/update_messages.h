@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "update/checks/bridged_gaps.h"
 #include "update/checks/closed_openings.h"
 #include "update/checks/contradicted_samples.h"
 #include "update/checks/crowded_samples.h"
@@ -63,9 +64,8 @@ std::string hint_of_limits(const BoundaryOptions& limits);
 
 // Of a loop.
 std::string warning_of_handle_across_rim();
-std::vector<std::string> warnings_of_cut(const RegionCut& cut);
-// Only if its doubt is more than options.clear_doubt. No warning: of right updates one in five has
-// such a cut, of wrong ones one in two.
+std::vector<std::string> warnings_of_cut(const RegionCut& cut, const CutOptions& options);
+// Only if its doubt is more than options.clear_doubt, and no warning up to options.high_doubt.
 std::vector<std::string> notes_of_cut(const RegionCut& cut, const CutOptions& options = {});
 // Clouds that overlap each other, but not as one surface; `why`: the reason.
 std::string warning_of_clouds_apart(const std::string& why);
@@ -83,6 +83,8 @@ std::string warning_of_turned_away(const CloudReport& cloud);
 std::string warning_of_overlooked(const OverlookedVertices& vertices, const Point& at,
                                   const OverlookedOptions& options = {}, std::size_t replaced = 0);
 std::string warning_of_unused_changes(const UnusedChanges& changes);
+// `reach`: GapOptions::reach.
+std::string warning_of_gaps(const BridgedGaps& gaps, double reach);
 std::string warning_of_contradicted(const ContradictedSamples& samples);
 // `before`, `after`: handles and parts that nothing explains, with these samples and without.
 std::string warning_of_left_out(const CrowdedSamples& crowded, std::size_t before,
@@ -97,10 +99,12 @@ std::string warning_of_unscanned(const UnscannedLosses& losses, double reach, co
 // What may be wrong with a cloud, or where it lies on the model.
 std::vector<std::string> warnings_of_cloud(const CloudReport& cloud, const OverlapOptions& options,
                                            const ShiftOptions& shift);
-// What is unusual about its surface, but no reason to worry: two of five good updates have some.
-std::vector<std::string> notes_of_surface(const CloudSurface& surface);
-// Of a loop that is no border; `at_others`: its cloud reaches other ones.
-std::string warning_of_loop(const LoopOverlap& loop, bool at_others);
+// What is unusual about its surface and its place on the model, but no reason to worry: half of all
+// good updates have some.
+std::vector<std::string> notes_of_cloud(const CloudReport& cloud);
+// Of a loop that is no border but lies on other clouds, or along a seam; `at_others`: its cloud
+// reaches other ones.
+std::string warning_of_loop(bool at_others);
 // Of a loop that encloses nothing.
 std::string warning_of_nothing_inside();
 

@@ -15,9 +15,9 @@ void report_overlap(UpdateRun& run, std::size_t c) {
   enter_overlap(overlap, run.result.clouds[c]);
   for (std::size_t l = 0; l < overlap.loops.size(); ++l) {
     const LoopOverlap& loop = overlap.loops[l];
-    if (loop.match == LoopMatch::on_model) continue;
+    if (loop.match != LoopMatch::covered) continue;  // off the model: notes_of_cloud()
     run.warn(run.name_of_loop(c, l) + ": " +
-             warning_of_loop(loop, loop.covered > 0 || !run.rims.shared_with[c].empty()));
+             warning_of_loop(loop.covered > 0 || !run.rims.shared_with[c].empty()));
   }
 }
 

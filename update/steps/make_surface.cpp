@@ -21,12 +21,12 @@ namespace cocoon {
 
 namespace {
 
-bool fail_empty(UpdateRun& run) {
+void fail_empty(UpdateRun& run) {
   const ReconstructResult& updated = run.result.reconstruction;
   const bool is_all_boundary = updated.counters.boundary_samples >= updated.vertices;
-  return run.fail(UpdateStatus::empty_surface,
-                  reason_of_empty_surface(run.result.replacement.points.size()) +
-                      (is_all_boundary ? hint_of_limits(run.options.reconstruct.boundary) : ""));
+  run.fail(UpdateStatus::empty_surface,
+           reason_of_empty_surface(run.result.replacement.points.size()) +
+               (is_all_boundary ? hint_of_limits(run.options.reconstruct.boundary) : ""));
 }
 
 // From the samples of all clouds to facets that go. `scale`: of the coordinates.
@@ -101,6 +101,12 @@ std::optional<std::span<const Triangle>> attempt(const Attempts& attempts,
   return result.mesh.triangles.empty() ? surface.changed : result.mesh.triangles.span();
 }
 
+// patch_handles() of what the samples put in. `triangles`: those of attempt().
+std::vector<double> own_handles(const UpdateResult& result, std::span<const Triangle> triangles) {
+  return patch_handles(vertices_of_surface(result), triangles,
+                       first_vertex_of_clouds(result.vertex_map));
+}
+
 // Handles and parts of a surface.
 struct Features {
   std::ptrdiff_t narrow = 0;   // handles that layers may have made,
@@ -117,11 +123,8 @@ Features features(const UpdateRun& run, std::span<const Triangle> triangles) {
   for (const double extent : result.loose_parts.extents) {
     ++(extent > max_width ? found.large : found.small);
   }
-  // Without a mesh the points are its vertices.
-  const Points vertices =
-      result.mesh.triangles.empty() ? Points(result.replacement.points) : result.mesh.points.span();
-  found.narrow = static_cast<std::ptrdiff_t>(narrow_patch_handles(
-      vertices, triangles, first_vertex_of_clouds(result.vertex_map), max_width));
+  const std::vector<double> lengths = own_handles(result, triangles);
+  found.narrow = std::upper_bound(lengths.begin(), lengths.end(), max_width) - lengths.begin();
   found.handles = found.small + found.large - result.euler / 2;
   return found;
 }
@@ -140,43 +143,68 @@ std::size_t unexplained(const UpdateResult& result) {
 }
 
 // Where the surface of all samples, with these triangles, has handles or parts that nothing
-// explains.
-void try_without_crowded(const Attempts& attempts, std::span<const Triangle> triangles,
-                         const Execution& execution) {
+// explains. Returns the triangles of the surface that is kept.
+std::span<const Triangle> try_without_crowded(const Attempts& attempts,
+                                              std::span<const Triangle> triangles,
+                                              const Execution& execution) {
   UpdateRun& run = attempts.run;
   CrowdedSamples& crowded = run.result.crowded;
   const CrowdedOptions& options = run.options.crowded;
   crowded = crowded_samples(*run.index, run.result.replacement.vertices.removed, run.joined,
                             run.given, options, execution);
-  if (!options.leave_out || crowded.in_layers == 0) return;
+  if (!options.leave_out || crowded.in_layers == 0) return triangles;
   const Features all = features(run, triangles);
-  if (all.narrow + all.small == 0) return;
+  if (all.narrow + all.small == 0) return triangles;
   const std::size_t before = unexplained(run.result);
-  const bool is_taken = run_step(execution, "without_crowded", [&](const Execution& nested) {
-    const auto of_fewer = attempt(attempts, crowded.is_in_layers, nested);
-    return of_fewer && is_better(features(run, *of_fewer), all, options);
+  const auto of_fewer = run_step(execution, "without_crowded", [&](const Execution& nested) {
+    return attempt(attempts, crowded.is_in_layers, nested);
   });
-  if (is_taken) {
+  if (of_fewer && is_better(features(run, *of_fewer), all, options)) {
     run.warn(warning_of_left_out(crowded, before, unexplained(run.result)));
-  } else {
-    attempt(attempts, {}, execution);
+    return *of_fewer;
   }
+  return *attempt(attempts, {}, execution);  // there was one before
+}
+
+// Enters how many of the unexplained handles are the samples' own, and wide. `triangles`: as above.
+void enter_sampled_handles(UpdateRun& run, std::span<const Triangle> triangles) {
+  UpdateResult& result = run.result;
+  if (result.unexplained_handles == 0) return;
+  const double coarsest = largest_spacing(run.scans());
+  const std::vector<double> lengths = own_handles(result, triangles);
+  const auto wide = lengths.end() - std::upper_bound(lengths.begin(), lengths.end(),
+                                                     run.options.handles.wide * coarsest);
+  result.sampled_handles = std::min(result.unexplained_handles, static_cast<std::size_t>(wide));
 }
 
 }  // namespace
 
-bool make_surface(UpdateRun& run, const UpdateParts& parts, const ReplacedVertices& replaced,
-                  std::span<const EdgeSide> irregular, const Execution& execution) {
+Points vertices_of_surface(const UpdateResult& result) {
+  if (result.mesh.triangles.empty()) return result.replacement.points;
+  return result.mesh.points.span();
+}
+
+std::optional<std::span<const Triangle>> make_surface(UpdateRun& run, const UpdateParts& parts,
+                                                      const ReplacedVertices& replaced,
+                                                      std::span<const EdgeSide> irregular,
+                                                      const Execution& execution) {
   run.result.euler_before = euler_number(*run.index, irregular);
   const Attempts attempts{run, parts, replaced, irregular};
-  const auto triangles = attempt(attempts, {}, execution);
+  auto triangles = attempt(attempts, {}, execution);
   if (!triangles) {
     const ReconstructResult& surface = run.result.reconstruction;
-    if (surface.status != SurfaceStatus::refuted) return fail_empty(run);
-    return run.fail(UpdateStatus::refuted, surface.verification.failure);
+    if (surface.status == SurfaceStatus::refuted) {
+      run.fail(UpdateStatus::refuted, surface.verification.failure);
+    } else {
+      fail_empty(run);
+    }
+    return {};
   }
-  if (unexplained(run.result) > 0) try_without_crowded(attempts, *triangles, execution);
-  return true;
+  if (unexplained(run.result) > 0) {
+    triangles = try_without_crowded(attempts, *triangles, execution);
+    enter_sampled_handles(run, *triangles);
+  }
+  return triangles;
 }
 
 }  // namespace cocoon

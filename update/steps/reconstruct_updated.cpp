@@ -48,9 +48,10 @@ void reconstruct_updated(UpdateRun& run, const UpdateParts& parts, const Executi
   const std::vector<NearestPointTree> trees = nearest_point_trees(run.clouds, execution);
   const ReplacedVertices replaced = vertices_to_replace(run, rims, trees);
   const std::vector<EdgeSide> irregular = irregular_sides(*run.index);
-  if (!make_surface(run, parts, replaced, irregular, execution)) return;
-  enter_doubts(*run.index, irregular, {run.given, run.joined, run.clouds, rims, trees}, run.options,
-               run.result);
+  const auto triangles = make_surface(run, parts, replaced, irregular, execution);
+  if (!triangles) return;
+  enter_doubts(*run.index, irregular, {run.given, run.joined, run.clouds, rims, trees}, *triangles,
+               run.options, run.result);
 }
 
 }  // namespace cocoon

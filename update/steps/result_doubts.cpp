@@ -13,6 +13,7 @@
 #include "update/cloud/samples_with_flag.h"
 #include "update/model/updated_vertices.h"
 #include "update/report/update_messages.h"
+#include "update/steps/make_surface.h"
 
 namespace cocoon {
 namespace {
@@ -59,6 +60,20 @@ void enter_unused_changes(const ModelIndex& model, const UpdatedClouds& clouds,
   }
 }
 
+void enter_gaps(const ModelIndex& model, const UpdatedClouds& clouds, std::span<const Scan> scans,
+                std::span<const Triangle> triangles, const GapOptions& options,
+                UpdateResult& result) {
+  std::vector<double> spacings;
+  for (std::size_t c = 0; c < scans.size(); ++c) {
+    spacings.push_back(spacing_at(model, scans[c], result.clouds[c].overlapping_facets));
+  }
+  result.gaps =
+      bridged_gaps(model, vertices_of_surface(result), triangles,
+                   first_vertex_of_clouds(result.vertex_map), clouds.trees, spacings, options);
+  if (result.gaps.triangles == 0) return;
+  result.warnings.push_back(warning_of_gaps(result.gaps, options.reach));
+}
+
 void enter_closed_openings(const ModelIndex& model, std::span<const EdgeSide> irregular,
                            const ClosedOpeningOptions& options, UpdateResult& result) {
   result.closed_openings =
@@ -86,17 +101,18 @@ void enter_losses(const ModelIndex& model, const UpdatedClouds& clouds, std::spa
 }  // namespace
 
 void enter_doubts(const ModelIndex& model, std::span<const EdgeSide> irregular,
-                  const UpdatedClouds& clouds, const UpdateOptions& options, UpdateResult& result) {
+                  const UpdatedClouds& clouds, std::span<const Triangle> triangles,
+                  const UpdateOptions& options, UpdateResult& result) {
   const std::vector<Scan> scans = scans_of(clouds.samples, result.clouds);
   warn_of_overlooked(model, options.overlooked, result);
   warn_of_loose_parts(result);
   enter_contradictions(clouds, scans, options.contradicted, result);
   enter_unused_changes(model, clouds, scans, options.unused_changes, result);
+  enter_gaps(model, clouds, scans, triangles, options.gaps, result);
   const bool is_closed = irregular.empty();
   if (!is_closed) enter_closed_openings(model, irregular, options.openings, result);
-  if (result.unexplained_handles > 0) {
-    result.warnings.push_back(warning_of_handles(result.unexplained_handles));
-  }
+  const std::size_t doubtful = result.unexplained_handles - result.sampled_handles;
+  if (doubtful > 0) result.warnings.push_back(warning_of_handles(doubtful));
   const bool lost_handles = is_closed && result.euler > result.euler_before;
   enter_losses(model, clouds, scans, lost_handles, options.unscanned, result);
 }

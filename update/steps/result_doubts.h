@@ -26,12 +26,14 @@ struct UpdatedClouds {
 
 // Warns of vertices of the model amid new samples, of parts that hang together with nothing of the
 // model, and of handles that nothing explains; looks for samples that contradict each other,
-// changes that are not on the surface, openings that are closed, and vertices that went though
-// nothing was scanned near them. Enters what is found, and a warning for each that is doubtful.
-// `model`: the one that was updated; `irregular`: irregular_sides() of it. Precondition: the result
-// has all that make_surface() enters, and its clouds are the joined ones. Complexity: that of the
-// functions in `update/report/` that it asks.
+// changes that are not on the surface, gaps that it bridges, openings that are closed, and vertices
+// that went though nothing was scanned near them. Enters what is found, and a warning for each that
+// is doubtful. `model`: the one that was updated; `irregular`: irregular_sides() of it;
+// `triangles`: those that make_surface() returned. Precondition: the result has all that
+// make_surface() enters, and its clouds are the joined ones. Complexity: that of the functions in
+// `update/checks/` that it asks.
 void enter_doubts(const ModelIndex& model, std::span<const EdgeSide> irregular,
-                  const UpdatedClouds& clouds, const UpdateOptions& options, UpdateResult& result);
+                  const UpdatedClouds& clouds, std::span<const Triangle> triangles,
+                  const UpdateOptions& options, UpdateResult& result);
 
 }  // namespace cocoon

@@ -236,7 +236,7 @@ std::optional<std::vector<RegionAngles>> segment_under_clouds(UpdateRun& run,
     angles = run.measure_angles(run.result.regions);
   }
   for (std::size_t c = 0; c < run.clouds.size(); ++c) {
-    run.warn_of_cloud(c, warnings_of_cut(run.result.clouds[c].cut));
+    run.warn_of_cloud(c, warnings_of_cut(run.result.clouds[c].cut, run.options.cut));
   }
   if (!check_separation(run, angles)) return {};
   return angles;

@@ -17,13 +17,27 @@ bool says(const std::vector<std::string>& warnings, const std::string& words) {
 // Right updates, too, have rims with gaps: that is a note.
 TEST(UpdateMessages, CutsAreNotesAndScanEndsWarnings) {
   RegionCut cut;
-  EXPECT_TRUE(warnings_of_cut(cut).empty());
+  EXPECT_TRUE(warnings_of_cut(cut, {}).empty());
   EXPECT_TRUE(notes_of_cut(cut).empty());
   cut.cut_edges = 3;
-  EXPECT_TRUE(warnings_of_cut(cut).empty());
+  EXPECT_TRUE(warnings_of_cut(cut, {}).empty());
   EXPECT_TRUE(says(notes_of_cut(cut), "3 edges"));
-  cut.scan_ends = 1;
-  EXPECT_TRUE(says(warnings_of_cut(cut), "1 facet)"));
+  cut.scan_ends = 5;
+  EXPECT_TRUE(warnings_of_cut(cut, {}).empty());
+  cut.scan_ends = 6;
+  EXPECT_TRUE(says(warnings_of_cut(cut, {}), "6 facets)"));
+  EXPECT_TRUE(says(warnings_of_cut(cut, {.few_scan_ends = 0}), "6 facets)"));
+}
+
+TEST(UpdateMessages, ACutInMuchDoubtIsAWarning) {
+  RegionCut cut;
+  cut.seeds_under = 20;
+  cut.seeds_outside = 50;
+  cut.cut_length = 5;
+  EXPECT_TRUE(warnings_of_cut(cut, {}).empty());
+  cut.contradicted = 3;
+  EXPECT_TRUE(says(warnings_of_cut(cut, {}), "(0.4 of what its weaker side says)"));
+  EXPECT_TRUE(warnings_of_cut(cut, {.high_doubt = 0.5}).empty());
 }
 
 // One edge is missing in a rim of a hundred: it says where its sides are.
@@ -36,16 +50,6 @@ TEST(UpdateMessages, ACutThatHardlyCostsAnythingIsNotSaid) {
   cut.contradicted = 2;
   EXPECT_TRUE(says(notes_of_cut(cut), "1 edge)"));
   EXPECT_TRUE(notes_of_cut(cut, {.clear_doubt = 0.1}).empty());
-}
-
-// A shadow of the scanner ends on the new surface, not on the model.
-TEST(UpdateMessages, ARimThatLeavesTheModelPartOfTheWayIsSaid) {
-  CloudReport cloud;
-  cloud.surface.rim.spacing = 2;
-  cloud.overlap.largest_excess = 1.5;
-  EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
-  cloud.surface.rim.leaves_model = true;
-  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "by up to 1.5 spacings"));
 }
 
 TEST(UpdateMessages, ADoubtfulCutSaysWhatIsMissing) {
@@ -106,7 +110,7 @@ TEST(UpdateMessages, ARimOffTheModelIsSaid) {
   cloud.surface.rim.non_orientable = 1;
   cloud.overlap.median_distance = 1.2;
   EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
-  EXPECT_EQ(notes_of_surface(cloud.surface).size(), 2U);
+  EXPECT_EQ(notes_of_cloud(cloud).size(), 2U);
   cloud.overlap.median_distance = 2.5;
   EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}), "1.25 spacings off the model"));
   EXPECT_TRUE(warnings_of_cloud(cloud, {.step_distance = 1.5}, {}).empty());
@@ -120,15 +124,26 @@ TEST(UpdateMessages, ARimOffTheModelIsSaid) {
 }
 
 TEST(UpdateMessages, ALoopThatIsNoBorderIsSaid) {
-  LoopOverlap loop;
-  loop.match = LoopMatch::off_model;
-  EXPECT_TRUE(says({warning_of_loop(loop, false)}, "taken for a hole"));
-  loop.is_outline = true;
-  EXPECT_TRUE(says({warning_of_loop(loop, false)}, "outlines a part of the cloud that is off"));
-  loop.is_outline = false;
-  loop.match = LoopMatch::covered;
-  EXPECT_TRUE(says({warning_of_loop(loop, true)}, "lies on other clouds"));
-  EXPECT_TRUE(says({warning_of_loop(loop, false)}, "along a seam inside the cloud"));
+  EXPECT_TRUE(says({warning_of_loop(true)}, "lies on other clouds"));
+  EXPECT_TRUE(says({warning_of_loop(false)}, "along a seam inside the cloud"));
+}
+
+// Whether it matters is told by the gaps that are left.
+TEST(UpdateMessages, ALoopOffTheModelIsANote) {
+  CloudReport cloud;
+  cloud.loops.resize(3);
+  cloud.loops[1].match = LoopMatch::on_model;
+  cloud.loops[2].pin_hole = true;
+  EXPECT_TRUE(says(notes_of_cloud(cloud), "1 loop of its rim is off the model"));
+  cloud.loops[2].pin_hole = false;
+  EXPECT_TRUE(says(notes_of_cloud(cloud), "2 loops of its rim are off the model"));
+}
+
+TEST(UpdateMessages, GapsAreSaid) {
+  EXPECT_EQ(warning_of_gaps({.triangles = 2, .longest = 4.5, .at = {1, 2, 3}}, 3),
+            "2 triangles of the updated surface span more than 3 spacings where the model has "
+            "changed, up to 4.5 at (1, 2, 3): nothing was scanned there, as in a shadow of the "
+            "scanner; look at the result, or scan it, too");
 }
 
 // Where points are so far off that they have no facet, how many they are tells more.
@@ -137,8 +152,9 @@ TEST(UpdateMessages, ARimThatLeavesTheModelIsSaid) {
   cloud.surface.rim.spacing = 1;
   cloud.surface.rim.leaves_model = true;
   cloud.overlap.largest_excess = 1.5;
-  EXPECT_TRUE(says(warnings_of_cloud(cloud, {}, {}),
-                   "leaves the model here and there, by up to 1.5 spacings: the scan ends"));
+  EXPECT_TRUE(warnings_of_cloud(cloud, {}, {}).empty());
+  EXPECT_TRUE(says(notes_of_cloud(cloud),
+                   "leaves the model here and there, by up to 1.5 spacings: there the scan ends"));
   cloud.overlap.in_shadow = 9;
   cloud.overlap.in_shadow_of = 40;
   EXPECT_TRUE(says(
@@ -216,13 +232,13 @@ TEST(UpdateMessages, OneHandleAndSeveral) {
 }
 
 TEST(UpdateMessages, SmallPartsAreNotes) {
-  CloudSurface surface;
-  EXPECT_TRUE(notes_of_surface(surface).empty());
-  surface.rim.small_components = 2;
-  EXPECT_TRUE(says(notes_of_surface(surface), "2 small parts"));
-  surface.is_layered = true;
-  surface.set_aside = 7;
-  EXPECT_TRUE(says(notes_of_surface(surface), "7 samples were set aside to find its rim"));
+  CloudReport cloud;
+  EXPECT_TRUE(notes_of_cloud(cloud).empty());
+  cloud.surface.rim.small_components = 2;
+  EXPECT_TRUE(says(notes_of_cloud(cloud), "2 small parts"));
+  cloud.surface.is_layered = true;
+  cloud.surface.set_aside = 7;
+  EXPECT_TRUE(says(notes_of_cloud(cloud), "7 samples were set aside to find its rim"));
 }
 
 }  // namespace
